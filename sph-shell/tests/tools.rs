@@ -118,40 +118,39 @@ fn elastica(height: f64) -> Option<f64> {
     POINTS.iter().find(|point| (point[0] - height).abs() < 1e-9).map(|point| point[1])
 }
 
+/// Errors of the force at 20 and 40 cells a quarter \[%\], measured .34, .05 before it flattens, 2.2 and .3 after.
 #[test]
 fn a_ring_between_plates_bears_what_the_elastica_bears() {
     let thickness = 0.02;
     let bending = YOUNG * thickness * thickness * thickness / 12.0;
-    for cells in [20, 40] {
-        for height in [1.83305622, 1.62647072, 1.0, 0.6] {
-            let down = 1.0 - 0.5 * height;
-            let mut system = StaticShell::new(ring(cells, thickness, down, Law::new(0.0).unwrap()));
-            for (line_search, most) in [(true, 15), (true, 60), (false, 15), (false, 60)] {
-                let mut system = StaticShell::new(ring(cells, thickness, down, Law::new(0.0).unwrap()));
-                let newton =
-                    implicit_statics::NewtonOptions { line_search, iterations: most, ..Default::default() };
-                let options =
-                    PathOptions { newton, ..PathOptions::new(Control::Load { step: 0.1, until: 1.0 }) };
-                let mut iterations = 0;
-                let path = follow(&mut system, &Start::default(), &options, |point, _| {
-                    iterations += point.converged.iterations;
-                    ControlFlow::Continue(())
-                });
-                let touch = system.shell().touches()[0];
-                // A quarter bears half of the force, on a width of a tenth.
-                let force = -touch.force.z * 2.0 / 0.1 / bending;
-                let exact = elastica(height).unwrap();
-                println!(
-                    "{cells} cells, H {height}: {:?} {iterations} iterations in {} steps, P {force:.4} for {exact:.4}: {:+.2} %, depth {:.1e}",
-                    path.end,
-                    path.points.len(),
-                    100.0 * (force / exact - 1.0),
-                    touch.greatest_depth
-                );
-                println!("  {line_search} {most}: {iterations} in {}", path.points.len());
-            }
+    for (height, bounds) in
+        [(1.83305622, [1.0, 0.15]), (1.62647072, [1.0, 0.15]), (1.0, [1.0, 0.2]), (0.6, [6.6, 0.9])]
+    {
+        for (cells, bound) in [20, 40].into_iter().zip(bounds) {
+            let shell = ring(cells, thickness, 1.0 - 0.5 * height, Law::new(0.0).unwrap());
+            let (system, iterations) = followed(shell);
+            let touch = system.shell().touches()[0];
+            // A quarter bears half of the force, on a width of a tenth.
+            let force = -touch.force.z * 2.0 / 0.1 / bending;
+            let error = 100.0 * (force / elastica(height).unwrap() - 1.0);
+            println!("{cells} cells, H {height}: {iterations} iterations, P {force:.4}: {error:+.2} %");
+            assert!(error.abs() < bound, "{cells} cells, H {height}: {error:+.2} %");
+            assert!(touch.greatest_depth < 0.01, "{touch:?}");
         }
     }
+}
+
+/// The end of the path to level one, in steps of a tenth, and how many iterations it took.
+fn followed(shell: Shell) -> (StaticShell, usize) {
+    let mut system = StaticShell::new(shell);
+    let options = PathOptions::new(Control::Load { step: 0.1, until: 1.0 });
+    let mut iterations = 0;
+    let path = follow(&mut system, &Start::default(), &options, |point, _| {
+        iterations += point.converged.iterations;
+        ControlFlow::Continue(())
+    });
+    assert_eq!(path.end, Ok(End::Reached));
+    (system, iterations)
 }
 
 /// A strip of length one, clamped on top of a cylinder of mid-surface radius one, with a dead load at its tip: wrapped length a,
@@ -166,7 +165,8 @@ const WRAPPED: [[f64; 4]; 3] = [
 fn a_strip_lies_on_a_cylinder_as_the_elastica_does() {
     let thickness = 0.01;
     let bending = YOUNG * thickness * thickness * thickness / 12.0;
-    for cells in [50, 100] {
+    // Measured 3.7e-4 and 3.7e-5 of the length, where little of it lies on the drum.
+    for (cells, bound) in [(50, 1.1e-3), (100, 1.1e-4)] {
         for [wrapped, load, along, down] in WRAPPED {
             let cloud = flat([cells + 1, 3], [1.0, 0.05]);
             let sides = cloud.sides.clone().unwrap();
@@ -182,23 +182,15 @@ fn a_strip_lies_on_a_cylinder_as_the_elastica_does() {
             };
             let tool = still(drum, stiffness(YOUNG, thickness, 1.0 / cells as f64));
             let shell = Shell::builder(beam_parts(cloud, thickness, supports, vec![force])).tools(vec![tool]);
-            let mut system = StaticShell::new(shell.build().unwrap());
-            let mut iterations = 0;
-            let options = PathOptions::new(Control::Load { step: 0.1, until: 1.0 });
-            let path = follow(&mut system, &Start::default(), &options, |point, _| {
-                iterations += point.converged.iterations;
-                ControlFlow::Continue(())
-            });
+            let (system, iterations) = followed(shell.build().unwrap());
             let place = system.shell().position(tip[1] as usize);
             let touch = system.shell().touches()[0];
             let error = ((place.x - along).powi(2) + (place.z + down).powi(2)).sqrt();
             println!(
-                "{cells} cells, wrapped {wrapped}: {:?}, {iterations} iterations in {} steps, tip {error:.1e} off, touching {:.3}",
-                path.end,
-                path.points.len(),
+                "{cells} cells, wrapped {wrapped}: {iterations} iterations, tip {error:.1e} off, touching {:.3}",
                 touch.area / 0.05
             );
-            assert_eq!(path.end, Ok(End::Reached));
+            assert!(error < bound, "{cells} cells, wrapped {wrapped}: {error:.1e}");
         }
     }
 }
@@ -241,11 +233,16 @@ fn a_plate_bounces_off_a_plane_with_its_energy() {
                 impulse += touch.force.z * 0.01;
                 touched = touched.max(touch.greatest_depth);
             }
+            let (restitution, taken) = (-momentum(&shell) / before, momentum(&shell) / before - 1.0);
             println!(
-                "t {thickness}, tilt {tilt}, v/c {speed}: energy {worst:.1e}, restitution {:.4}, impulse {:.3}, depth {touched:.2}",
-                -momentum(&shell) / before,
+                "t {thickness}, tilt {tilt}, v/c {speed}: energy {worst:.1e}, restitution {restitution:.4}, impulse {:.3}, depth {touched:.2}",
                 impulse / before
             );
+            assert!(worst < 2e-4 && touched < 0.3, "{thickness} {tilt} {speed}: {worst:.1e}");
+            // Flat on the plane it leaves as it came: measured .9984 at worst. On an edge some of it turns and swings.
+            assert!(tilt != 0.0 || (restitution - 1.0).abs() < 5e-3, "{thickness} {speed}: {restitution}");
+            // Records every hundredth of a second see an impact of some hundredths.
+            assert!((impulse / before / taken - 1.0).abs() < 0.1, "{thickness} {speed}: {impulse} {taken}");
         }
     }
 }

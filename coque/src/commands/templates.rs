@@ -49,7 +49,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 47] = [
+const TEMPLATES: [(&str, &str); 49] = [
     ("baffle", include_str!("../../../scenes/baffle.toml")),
     ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
     ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
@@ -82,6 +82,7 @@ const TEMPLATES: [(&str, &str); 47] = [
     ("pulled-strip", include_str!("../../../scenes/pulled-strip.toml")),
     ("relieved-strip", include_str!("../../../scenes/relieved-strip.toml")),
     ("ring", include_str!("../../../scenes/ring.toml")),
+    ("ring-between-plates", include_str!("../../../scenes/ring-between-plates.toml")),
     ("ring-green-lagrange", include_str!("../../../scenes/ring-green-lagrange.toml")),
     ("ring-pressure", include_str!("../../../scenes/ring-pressure.toml")),
     ("scordelis-lo", include_str!("../../../scenes/scordelis-lo.toml")),

@@ -22,7 +22,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time.
-const SCENES: [(&str, Replaced); 16] = [
+const SCENES: [(&str, Replaced); 18] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -33,6 +33,8 @@ const SCENES: [(&str, Replaced); 16] = [
     ("column-buckling.toml", &[]),
     ("tensioned-plate.toml", &[]),
     ("ring.toml", &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")]),
+    ("strip-over-drum.toml", &[("analysis.static.levels", "4"), ("geometry.plate.particles", "[26, 3]")]),
+    ("ring-between-plates.toml", &[("tools.0.moved", "[0, 0, -0.2]"), ("analysis.static.levels", "2")]),
     ("../coque/tests/metamorphic/difference.toml", &[]),
     ("../coque/tests/metamorphic/bent.toml", &[]),
     ("plate-clamped-solid.toml", &[]),

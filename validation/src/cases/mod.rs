@@ -2,6 +2,7 @@
 
 pub mod option_cost;
 
+mod contact;
 mod coupled;
 mod fluid;
 mod forecast;
@@ -17,6 +18,7 @@ use crate::Case;
 /// Every usual case, in the order of table and report.
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
+    cases.extend(family("Contact", contact::all()));
     cases.extend(solid::all());
     cases.extend(family("Galerkin solids", galerkin::all()));
     cases.extend(family("Fluids", fluid::all()));

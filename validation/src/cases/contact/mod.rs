@@ -1,0 +1,11 @@
+//! Shells that touch tools; a new case is a file, a line here, and one in the list.
+
+mod pressed_ring;
+mod wrapped_strip;
+
+use crate::judge::Case;
+
+/// Every case, in the order of table and report.
+pub fn all() -> [Case; 2] {
+    [pressed_ring::case(), wrapped_strip::case()]
+}

@@ -1,0 +1,52 @@
+//! wrapped-strip: a cantilever bent over a smooth drum by a dead force at its tip.
+
+use benchmarks_ref::touching::{Wrapped, wrapped_strips};
+
+use crate::judge::{Case, Headline, Measured, Run, Variant};
+use crate::methods::STATIC;
+use crate::{JudgeError, Metric};
+
+const SCENE: &str = include_str!("../../../../scenes/strip-over-drum.toml");
+const OFF: &str = "distance of the tip";
+/// Length of the strip \[mm\], and B times its width over the square of that \[N\].
+const LENGTH: f64 = 100.0;
+const FORCE: f64 = 2.1e5 / 12.0 * 10.0 / (LENGTH * LENGTH);
+
+/// Distances \[% of L\].
+const MEASURED: Measured = Measured(&[(
+    STATIC,
+    &[("50 cells, .3 wrapped", 0.008), ("50 cells, .6 wrapped", 0.008), ("100 cells, .6 wrapped", 0.002)],
+)]);
+
+/// The scene, its reference, and how far the two may differ.
+pub fn case() -> Case {
+    Case {
+        name: "wrapped-strip",
+        title: "A strip bent over a drum, t/R = 1/100",
+        about: "Where the tip comes to, against the elastica: three and six tenths of the strip lie on the drum, at whose last point \
+                the moment of the force is that of the radius.",
+        citation: "inextensible elastica by shooting; the wrapped part has the radius of the drum and half of the thickness",
+        variants: vec![strip(50, 0.3).quick(), strip(50, 0.6).quick(), strip(100, 0.6)],
+        headline: Some(Headline::new(OFF, 0.001)),
+        ..Case::default()
+    }
+}
+
+fn strip(cells: usize, wrapped: f64) -> Variant {
+    let known = wrapped_strips().ok().and_then(|all| all.into_iter().find(|strip| strip.wrapped == wrapped));
+    let force = known.map_or(f64::NAN, |known| FORCE * known.force);
+    Variant::scene(STATIC, SCENE, format!("{cells} cells, .{} wrapped", (10.0 * wrapped).round()))
+        .set("geometry.plate.particles", format!("[{}, 5]", cells + 1))
+        .set("loads.0.force.total", format!("[0.0, 0.0, {}]", -force))
+        .judged(move |run, _| judged(run, known))
+}
+
+fn judged(run: &Run, known: Option<Wrapped>) -> Result<Vec<Metric>, JudgeError> {
+    let off = |known: Wrapped, x: f64, w: f64| {
+        100.0 * libm::hypot(x / LENGTH - known.tip[0], w / LENGTH - known.tip[1])
+    };
+    let found = run.last("x")?.zip(run.last("w")?);
+    let off = known.zip(found).map(|(known, (x, w))| off(known, x, w));
+    let reason = "cells of a polygon about the drum, and stretch of 2e-5: second order in the spacing";
+    Ok(vec![Metric::error(OFF, off, "% of L").near(MEASURED.of(run)?, reason)])
+}
