@@ -224,7 +224,7 @@ impl Solid {
     /// Whether a support holds a node along any direction that it could move in.
     pub fn is_held(&self, node: usize) -> bool {
         let across = usize::from(self.block.dimensions == 2 && self.rest.len() == self.block.len());
-        self.constraints.get(node).is_some_and(|constraint| constraint.held().len() > across)
+        self.constraints.get(node).is_some_and(|constraint| constraint.held.basis().len() > across)
     }
 
     /// Stored energy of the last evaluation that asked for it \[F L\].

@@ -155,6 +155,7 @@
 
 mod block;
 mod error;
+mod held_directions;
 mod kernel;
 mod neighbours;
 mod random;
@@ -165,6 +166,7 @@ mod walls;
 pub use block::{Block, BlockLattice, CutOut, NodePlaces};
 pub use block::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use error::SpaceError;
+pub use held_directions::HeldDirections;
 pub use kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, kernel, kernels};
 pub use neighbours::CellList;
 pub use sampling::cell_stencil::cell_operator;

@@ -288,7 +288,6 @@
 mod builder;
 mod conditions;
 mod control;
-mod decay;
 mod dependents;
 mod dispatch;
 mod error;

@@ -98,15 +98,14 @@ impl Fluid {
     fn kick_velocities(&mut self, step: &Step) -> Sums {
         let kicks = self.formulation.scheme == Scheme::KickDriftKick;
         let kick = if kicks { step.kick } else { 0.0 };
-        let half = 0.5 * step.damping * kick;
-        let (before, after) = (1.0 - half, 1.0 / (1.0 + half));
+        let decay = Step { kick, ..*step }.decay();
         let Self { threads, present, accelerations, sorted, sums, gravity, .. } = self;
         let slots = &sorted.slots;
         reduced(*threads, &mut present.velocities[..], sums, |first, velocities: &mut [Vec3]| {
             let mut sums = Sums::default();
             for (velocity, &slot) in velocities.iter_mut().zip(&slots[first..]) {
                 let acceleration = Vec3::from(accelerations[slot as usize]);
-                let new = velocity.zip_map(&acceleration, |v, a| (v * before + kick * a) * after);
+                let new = velocity.zip_map(&acceleration, |v, a| decay.kicked(v, kick * a));
                 let change = new - *velocity;
                 sums.change += change.norm_squared();
                 sums.resisted += (*gravity - acceleration).dot(&change);

@@ -93,6 +93,6 @@ impl Solid {
 
     /// The vector without what supports of a row hold.
     pub(crate) fn free_part(&self, row: usize, v: Vec3) -> Vec3 {
-        self.constraints.get(row).map_or(v, |constraint| constraint.free_part(v.into()).into())
+        self.constraints.get(row).map_or(v, |constraint| constraint.held.free_part(v.into()).into())
     }
 }

@@ -17,7 +17,6 @@ use sph_core::Vec3;
 
 use crate::conditions::case::LoadCase;
 use crate::conditions::supports::{Constraint, DirectorHold};
-use crate::decay::Decay;
 use crate::junction::body::{Power, RigidBody};
 use crate::junction::group::{director, place};
 use crate::junction::march::Kick;
@@ -31,7 +30,7 @@ impl Kick<'_> {
     /// `[v, ω]` of a body after the kick; kinetic energy and external work are added to `work`.
     pub(super) fn of_body(&self, body: &RigidBody, constraint: Option<&Constraint>, work: &mut Work) -> Row {
         let Self { group, state, f, external, old, step } = self;
-        let (kick, decay, triad) = (step.kick, Decay::of(step), group.triad(state));
+        let (kick, decay, triad) = (step.kick, step.decay(), group.triad(state));
         let hold = constraint.map_or(DirectorHold::Free, |held| held.director);
         // What a torque does to the spin.
         let turning = |torque: Vec3| match hold {
@@ -45,7 +44,7 @@ impl Kick<'_> {
         if let Some(constraint) = constraint {
             let spin = constraint.spin(step).unwrap_or_else(|| constraint.free_spin(director(&new)));
             new[3..].copy_from_slice(spin.as_slice());
-            if constraint.held_translations() > 0 {
+            if !constraint.held.basis().is_empty() {
                 new = self.guided(body, constraint, &triad, new, turning);
             }
         }
@@ -77,7 +76,7 @@ impl Kick<'_> {
         turning: impl Fn(Vec3) -> Vec3,
     ) -> Row {
         let Self { group, state, step, .. } = self;
-        let (dt, arm, held) = (step.drift(), body.arm(triad), constraint.held());
+        let (dt, arm, held) = (step.drift(), body.arm(triad), constraint.held.basis());
         let target = constraint.reference_at(step.to, LoadCase::Loading);
         // Velocity of the reference point for impulses along the held directions; what is not held is left as it is.
         let mut matrix = Matrix3::identity();

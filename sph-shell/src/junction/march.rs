@@ -8,7 +8,6 @@ use sph_core::Vec3;
 
 use crate::conditions::constraints::Constraints;
 use crate::conditions::supports::{Constraint, DirectorHold};
-use crate::decay::Decay;
 use crate::junction::group::{Group, Junctions, director};
 use crate::motion::Moving;
 use crate::packs::Row;
@@ -93,7 +92,7 @@ impl Kick<'_> {
         if let Some(body) = &group.body {
             return self.of_body(body, constraint, work);
         }
-        let (kick, decay) = (step.kick, Decay::of(step));
+        let (kick, decay) = (step.kick, step.decay());
         let mass = |k: usize| if k < 3 { group.mass } else { group.inertia };
         let mut new: Row = std::array::from_fn(|k| decay.kicked(old[k], kick / mass(k) * f[k]));
         let mut prescribed = [false; 2];
@@ -108,8 +107,7 @@ impl Kick<'_> {
             work.change += 0.5 * mass(k) * change * change;
             work.resisted += kick * (external[k] - f[k]) * change;
             if prescribed[k / 3] || kick == 0.0 {
-                let impulse = mass(k) * (new[k] - old[k]) + kick * (mass(k) * step.damping * mean[k] - f[k]);
-                work.external += impulse * mean[k];
+                work.external += step.support_impulse(mass(k), [old[k], new[k]], f[k]) * mean[k];
             }
         }
         new
@@ -118,7 +116,7 @@ impl Kick<'_> {
 
 /// A motion without what supports hold and with what they prescribe; whether they prescribe velocity and spin.
 fn held(constraint: &Constraint, new: Row, step: &Step) -> (Row, [bool; 2]) {
-    let mut v = constraint.free_translation([new[0], new[1], new[2]]);
+    let mut v = constraint.held.free_part([new[0], new[1], new[2]]);
     let moved = constraint.velocity(step);
     if let Some(moved) = moved {
         (0..3).for_each(|k| v[k] += moved[k]);

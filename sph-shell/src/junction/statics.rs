@@ -134,7 +134,7 @@ impl Group {
         let Some(constraint) = constraint.filter(|_| self.first() == particle) else {
             return basis;
         };
-        for direction in constraint.free_directions() {
+        for direction in constraint.held.free() {
             basis.push(direction);
         }
         basis.move_first(basis.count);
