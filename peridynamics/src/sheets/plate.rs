@@ -1,5 +1,6 @@
 //! The two sheets of a plate with their columns, as its mechanics.
 
+use implicit_statics::BlockPattern;
 use nalgebra::Matrix3;
 use sph_core::{Block, Vec3};
 
@@ -9,7 +10,7 @@ use super::shear::Shear;
 use super::sheet::{Cloth, Sheet};
 use crate::bonds::balance::Balance;
 use crate::bonds::correction::weights;
-use crate::bonds::couplings::{Coupling, Couplings};
+use crate::bonds::couplings::Coupling;
 use crate::bonds::faces::areas;
 use crate::bonds::families::{Families, Nodes};
 use crate::bonds::flatness::refuse_flat;
@@ -169,14 +170,14 @@ impl Mechanics for Plate {
         lost + self.slacken(Some((&rows, share)))
     }
 
-    fn couplings(&self) -> Couplings {
+    fn couplings(&self) -> BlockPattern {
         self.pattern()
     }
 
     fn second_derivatives(
         &self,
         states: (&[Row], Option<&[Row]>),
-        pattern: &Couplings,
+        pattern: &BlockPattern,
         blocks: &mut [Coupling],
         threads: usize,
     ) {

@@ -78,14 +78,12 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         shell.dependents.ties.condense(&shell.motion.state, &mut rows, |_, _| ());
         shell.second_derivatives(&self.pattern, None, &mut self.blocks);
         shell.dependents.ties.reduce(&shell.motion.state, &self.pattern, &mut self.blocks, 1.0, |_| None);
-        for a in 0..rows.len() {
-            for number in self.pattern.of_row(a) {
-                let (b, block) = (self.pattern.columns[number] as usize, &self.blocks[number]);
-                for i in 0..6 {
-                    rows[a][i] -= product(&block[i], &rates[b]);
-                    if a != b {
-                        rows[b][i] -= (0..6).map(|j| block[j][i] * rates[a][j]).sum::<f64>();
-                    }
+        for (a, b, number) in self.pattern.pairs.pairs() {
+            let block = &self.blocks[number];
+            for i in 0..6 {
+                rows[a][i] -= product(&block[i], &rates[b]);
+                if a != b {
+                    rows[b][i] -= (0..6).map(|j| block[j][i] * rates[a][j]).sum::<f64>();
                 }
             }
         }

@@ -6,7 +6,7 @@ use sph_core::Vec3;
 
 use crate::Shell;
 use crate::conditions::loads::Block;
-use crate::statics::blocks::BlockPattern;
+use crate::statics::blocks::ShellPattern;
 use crate::statics::dofs::{Basis, DofMap};
 use crate::statics::projection::{Projection, entries};
 
@@ -17,7 +17,7 @@ use crate::statics::projection::{Projection, entries};
 pub struct StaticShell<S = Box<Shell>> {
     pub(crate) shell: S,
     pub(crate) dofs: DofMap,
-    pub(crate) pattern: BlockPattern,
+    pub(crate) pattern: ShellPattern,
     pub(crate) blocks: Vec<Block>,
     /// First entry of the rows of each particle in the pattern of the unknowns, and the end.
     entries: Vec<usize>,
@@ -43,9 +43,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// The same of a shell that goes on afterwards: [`implicit_statics::Equilibrium::tangent`] and the forces leave its motion as it is, that
     /// of prescribed values too.
     pub fn lent(shell: S) -> Self {
-        let (dofs, pattern) = (DofMap::new(&shell), BlockPattern::new(&shell));
-        let blocks = vec![[[0.0; 6]; 6]; pattern.columns.len()];
-        let entries = entries(&dofs, &pattern);
+        let (dofs, pattern) = (DofMap::new(&shell), ShellPattern::new(&shell));
+        let blocks = vec![[[0.0; 6]; 6]; pattern.pairs.blocks()];
+        let entries = entries(&dofs, &pattern.pairs);
         Self { shell, dofs, pattern, blocks, entries, moved: Vec::new(), carried: Vec::new() }
     }
 
@@ -119,7 +119,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         } else {
             &self.carried
         };
-        let projection = Projection { bases, pattern: &self.pattern, entries: &self.entries, blocks, radial };
+        let projection =
+            Projection { bases, pattern: &self.pattern.pairs, entries: &self.entries, blocks, radial };
         projection.run(0..self.shell.len(), values, self.shell.evaluation.threads.next_power_of_two());
     }
 }
