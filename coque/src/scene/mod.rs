@@ -9,6 +9,7 @@ mod bounds;
 pub(crate) mod catalogue;
 mod check;
 mod checked;
+mod column_unit;
 mod compatibility;
 mod coupling;
 mod curve;
