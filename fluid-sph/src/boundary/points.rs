@@ -248,9 +248,7 @@ impl Boundary {
     pub fn speed(&self) -> f64 {
         self.velocities.iter().map(|v| v.norm_squared()).fold(0.0, f64::max).sqrt()
     }
-}
 
-impl Boundary {
     /// Power of the motion of all points on the fluid \[F L/T\]: minus that of the fluid on them.
     pub fn power(&self) -> f64 {
         let power = |(force, velocity): (&[f64; 3], &Vec3)| -Vec3::from(*force).dot(velocity);

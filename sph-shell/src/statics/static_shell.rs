@@ -127,9 +127,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             Projection { bases, pattern: &self.pattern.pairs, entries: &self.entries, blocks, radial };
         projection.run(0..self.shell.len(), values, self.shell.evaluation.threads.next_power_of_two());
     }
-}
 
-impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Makes a load case the one that is under way: levels count its loads and motions from here on.
     pub fn set_case(&mut self, case: LoadCase) {
         self.shell.loading.case = case;

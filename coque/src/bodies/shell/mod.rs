@@ -2,8 +2,6 @@
 
 mod attached;
 mod balance;
-mod bent;
-mod bodies;
 mod body;
 pub(crate) mod build;
 mod cells;
@@ -19,8 +17,6 @@ mod places;
 mod refusal;
 mod rigid;
 mod sections;
-mod springs;
-mod stress;
+mod start;
 mod thickness;
-mod velocity;
 pub(crate) mod warnings;
