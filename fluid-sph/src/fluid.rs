@@ -41,15 +41,11 @@ impl State {
 
 /// Bounds of a stable step, before the part of them that is taken \[T\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StepBounds {
+pub(crate) struct StepBounds {
     /// `√(h/|a|)` of the greatest acceleration.
     pub force: f64,
     /// `h/(c + |h v·r/(r² + η²)|)` of the fastest signal.
     pub sound: f64,
-    /// `h²/(8ν)` of laminar friction.
-    pub friction: f64,
-    /// `h/(4|v|)` of the fastest point of a boundary; not divided further.
-    pub boundary: f64,
 }
 
 /// A weakly compressible fluid.
@@ -210,11 +206,6 @@ impl Fluid {
     /// Pressures \[F/L²\].
     pub fn pressures(&self) -> Vec<f64> {
         self.present.densities.iter().map(|&density| self.liquid.pressure(density)).collect()
-    }
-
-    /// The bounds from which the last step was taken.
-    pub fn step_bounds(&self) -> StepBounds {
-        self.bounds
     }
 
     /// Number of walls.

@@ -108,7 +108,7 @@ mod walls;
 
 pub use energies::Energies;
 pub use error::FluidError;
-pub use fluid::{Fluid, StepBounds};
+pub use fluid::Fluid;
 pub use flux::Section;
 pub use formulation::{Formulation, Scheme, WallRule};
 pub use lattice::lattice_moduli;

@@ -192,7 +192,7 @@ pub use surface::pairing::pair_triangles;
 pub use surface::patch::{Cylinder, Parametric, Patch, Plate, Sphere, Twisted};
 pub use surface::poisson::poisson_cloud;
 pub use surface::sides::{Side, Sides};
-pub use walls::{WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows};
+pub use walls::{LineSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows};
 pub use walls::{surface_first_row, surface_rows};
 
 /// A point or vector of space; positions are in `[L]`.

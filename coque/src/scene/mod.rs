@@ -55,7 +55,8 @@ pub use output::{Fields, Output, Plot};
 pub use per_axis::PerAxis;
 pub use problem::{BodyScene, Scene};
 pub use sets::{Box3, Layer, OnPlane, Region};
-pub use shell::formulation::{Divergence, Formulation, Nodal, Reach, StressPoint, StrongForm};
+pub use shell::ShellScene;
+pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use shell::geometry::{
     Cylinder, Disorder, Geometry, Orientation, Placed, Placing, Plate, Scattered, Sphere, Twisted,
 };
@@ -66,7 +67,6 @@ pub use shell::material::{
 };
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
-pub use shell::{ShellScene, WetFaces};
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};
@@ -78,6 +78,8 @@ pub use solid::geometry::{
     Arc, Ball, Block, Cuboid, CutOut, NodeDisorder, NodePlaces, Polygon, RoundHole, SolidGeometry,
 };
 pub use solid::material::{OrthotropicSolid, SolidMaterial};
+pub use sph_core::LineSide;
+pub use sph_shell::{Divergence, WetFaces};
 pub use statics::{
     ArcLength, Branches, Buckling, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation,
     RelaxationDamping, Static, Stop,
@@ -85,6 +87,6 @@ pub use statics::{
 pub use supports::*;
 pub use velocity::{Spin, Velocity};
 pub use walls::{
-    Basin, LineSide, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface,
-    WallTranslation, WallsScene,
+    Basin, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface, WallTranslation,
+    WallsScene,
 };

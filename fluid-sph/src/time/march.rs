@@ -233,13 +233,12 @@ impl Fluid {
         self.refresh();
         let h = self.momentum.kernel.h;
         let quotient = |a: f64, b: f64| if b > 0.0 { a / b } else { f64::INFINITY };
-        self.bounds = StepBounds {
-            force: quotient(h, self.force_sum.square.sqrt()).sqrt(),
-            sound: h / self.force_sum.signal,
-            friction: quotient(0.125 * h * h, self.formulation.kinematic_viscosity),
-            boundary: quotient(0.25 * h, self.boundary.speed()),
-        };
-        let StepBounds { force, sound, friction, boundary } = self.bounds;
+        let force = quotient(h, self.force_sum.square.sqrt()).sqrt();
+        let sound = h / self.force_sum.signal;
+        // Of laminar friction; of the fastest point of a boundary, which is not divided further.
+        let friction = quotient(0.125 * h * h, self.formulation.kinematic_viscosity);
+        let boundary = quotient(0.25 * h, self.boundary.speed());
+        self.bounds = StepBounds { force, sound };
         // A bound that is no number must not vanish in a minimum: the fluid is refused by its bounds then.
         let dt = safety * (self.formulation.courant * force.min(sound)).min(friction).min(boundary);
         let good = dt > 0.0 && dt.is_finite() && !force.is_nan() && !sound.is_nan();
