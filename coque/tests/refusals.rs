@@ -70,6 +70,12 @@ fn broken_scenes() {
             "axis = \"edge\" }\namplitude = { smooth = 2.0 }\n#",
         ),
         ("column twice", "name = \"W_tip\"", "name = \"minus_U_tip\""),
+        ("unit of something else", "name = \"W_tip\"", "name = \"W_tip\"\nunit = \"kN\""),
+        (
+            "unknown unit of a force by area",
+            "name = \"W_tip\"\nof = \"displacement\"\non = \"u1\"\ndirection = [0.0, 0.0, 1.0]",
+            "name = \"W_tip\"\nof = \"stress\"\non = \"u1\"\nface = \"top\"\ndirection = [1.0, 0.0, 0.0]\nunit = \"psi\"",
+        ),
         ("plot of nothing", "y = \"level\"", "y = \"W_tipp\""),
         ("unknown kernel", "thickness = 1.0", "thickness = 1.0\n[formulation.nodal]\nkernel = \"gaussian\""),
         (

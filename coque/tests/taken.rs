@@ -30,8 +30,27 @@ curve = [
 ]
 "#;
 
+const UNITS: &str = "{ length = \"m\", force = \"N\", time = \"s\" }";
+
 fn plate(analysis: &str) -> Outcome {
     ran(overridden(PLATE, "plate.toml", &[("analysis", analysis)]))
+}
+
+#[test]
+fn a_column_is_written_in_the_unit_that_it_names() {
+    let plain = ran(overridden(PLATE, "plate.toml", &[("analysis", "{ linear = {} }"), ("units", UNITS)]));
+    let named = [("curve.6.unit", "\"mm\""), ("curve.7.unit", "\"kN\"")];
+    let named = [&[("analysis", "{ linear = {} }"), ("units", UNITS)], &named[..]].concat();
+    let named = ran(overridden(PLATE, "plate.toml", &named));
+    let title = |name: &str| named.curve.columns.iter().find(|c| c.name == name).unwrap().title();
+    assert_eq!([title("min"), title("P"), title("max")], ["min [mm]", "P [kN]", "max [m]"]);
+    // One rounding of the ratio, one of the product.
+    for (name, per) in [("min", 1e3), ("P", 1e-3), ("max", 1.0)] {
+        let (written, own) = (last(&named, name), last(&plain, name));
+        assert!((written / (per * own) - 1.0).abs() < 1e-15, "{name}: {written} for {own}");
+    }
+    let refused = overridden(PLATE, "plate.toml", &[("curve.6.unit", "\"mm\"")]).unwrap_err().to_string();
+    assert!(refused.contains("the scene has no units"), "{refused}");
 }
 
 #[test]

@@ -190,6 +190,6 @@ pub use quasi_static::QuasiStatic;
 pub use record::{Balance, Record};
 pub use rest::{LevelReached, Missing, Sizes};
 pub use stable_step::{LANCZOS_STEPS, Spectrum, StableStep, lanczos_step, largest_eigenvalue};
-pub use step::{Instant, Step, Work};
+pub use step::{Decay, Instant, Step, Work};
 pub use transient::Transient;
 pub use two_clocks::{Counts, Order, TwoClocks};

@@ -29,6 +29,37 @@ impl Step {
     pub fn drift(&self) -> f64 {
         self.to.time - self.from.time
     }
+
+    /// What damping leaves of velocities in the kick.
+    pub fn decay(&self) -> Decay {
+        let half = 0.5 * self.damping * self.kick;
+        Decay { before: 1.0 - half, after: 1.0 / (1.0 + half) }
+    }
+
+    /// Impulse with which a support takes a mass m from one velocity to another under a force f, both along one axis: what the balance of
+    /// the mass lacks, `m (v⁺ − v⁻) + κ (m c v̄ − f)`, of an inertia about an axis likewise \[F T\].
+    #[inline]
+    pub fn support_impulse(&self, mass: f64, [old, new]: [f64; 2], force: f64) -> f64 {
+        let mean = 0.5 * (old + new);
+        mass * (new - old) + self.kick * (mass * self.damping * mean - force)
+    }
+}
+
+/// Damping proportional to mass over a kick κ: `1 − ½cκ` of a velocity before it, `1/(1 + ½cκ)` after it.
+#[derive(Clone, Copy, Debug)]
+pub struct Decay {
+    /// Factor of the velocity before the kick \[–\].
+    pub before: f64,
+    /// Factor of the velocity with the kick \[–\].
+    pub after: f64,
+}
+
+impl Decay {
+    /// A velocity after the kick `push = κ f/m` \[L/T\].
+    #[inline]
+    pub fn kicked(self, old: f64, push: f64) -> f64 {
+        (old * self.before + push) * self.after
+    }
 }
 
 /// What one kick did.

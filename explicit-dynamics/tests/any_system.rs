@@ -29,9 +29,8 @@ impl Dynamics for Spring {
         2.0 * self.x * self.x
     }
     fn kick(&mut self, step: &Step) -> Work {
-        let half = 0.5 * step.damping * step.kick;
         let old = self.v;
-        self.v = (old * (1.0 - half) + step.kick * self.f) / (1.0 + half);
+        self.v = step.decay().kicked(old, step.kick * self.f);
         let mean = 0.5 * (old + self.v);
         Work {
             kinetic: 0.5 * mean * mean,

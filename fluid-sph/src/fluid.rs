@@ -1,4 +1,6 @@
-//! A fluid under way.
+//! A fluid under way, and all of it that changes: from that a run goes on to the same bits.
+
+use std::borrow::Cow;
 
 use explicit_dynamics::{BoundaryDriven, BoundaryState};
 use sph_core::Vec3;
@@ -39,15 +41,11 @@ impl State {
 
 /// Bounds of a stable step, before the part of them that is taken \[T\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StepBounds {
+pub(crate) struct StepBounds {
     /// `√(h/|a|)` of the greatest acceleration.
     pub force: f64,
     /// `h/(c + |h v·r/(r² + η²)|)` of the fastest signal.
     pub sound: f64,
-    /// `h²/(8ν)` of laminar friction.
-    pub friction: f64,
-    /// `h/(4|v|)` of the fastest point of a boundary; not divided further.
-    pub boundary: f64,
 }
 
 /// A weakly compressible fluid.
@@ -215,11 +213,6 @@ impl Fluid {
         self.present.densities.iter().map(|&density| self.liquid.pressure(density)).collect()
     }
 
-    /// The bounds from which the last step was taken.
-    pub fn step_bounds(&self) -> StepBounds {
-        self.bounds
-    }
-
     /// Number of walls.
     pub fn walls(&self) -> usize {
         self.boundary.walls()
@@ -289,5 +282,92 @@ impl BoundaryDriven for Fluid {
 
     fn greatest_displacement(&self) -> f64 {
         0.25 * self.momentum.kernel.h
+    }
+}
+
+fn flat(list: &[Vec3]) -> Cow<'static, [f64]> {
+    Cow::Owned(list.iter().flat_map(|v| [v.x, v.y, v.z]).collect())
+}
+
+fn put(list: &mut [Vec3], numbers: &[f64]) {
+    list.iter_mut().zip(numbers.chunks_exact(3)).for_each(|(v, n)| *v = Vec3::new(n[0], n[1], n[2]));
+}
+
+impl Fluid {
+    /// The arrays that change, by name.
+    pub fn state(&self) -> Vec<(&'static str, Cow<'_, [f64]>)> {
+        let (present, boundary, ledger) = (&self.present, &self.boundary, &self.ledger);
+        let ledger = vec![
+            ledger.viscous,
+            ledger.diffusion,
+            ledger.external,
+            ledger.dissipated,
+            ledger.density_error,
+            self.fastest,
+            boundary.ledger.time,
+        ];
+        let forces = boundary.forces.as_flattened();
+        vec![
+            ("positions", flat(&present.positions)),
+            ("velocities", flat(&present.velocities)),
+            ("densities", Cow::Borrowed(&present.densities)),
+            ("boundary_positions", flat(&boundary.points)),
+            ("boundary_velocities", flat(&boundary.velocities)),
+            ("boundary_densities", Cow::Borrowed(&boundary.densities)),
+            ("boundary_forces", Cow::Borrowed(forces)),
+            ("boundary_owed", Cow::Borrowed(&boundary.ledger.owed)),
+            ("thin_boundaries", Cow::Owned(boundary.thin.iter().flat_map(|thin| thin.state()).collect())),
+            ("ledger", Cow::Owned(ledger)),
+        ]
+    }
+
+    /// Puts the arrays of [`Fluid::state`] back.
+    ///
+    /// # Errors
+    /// [`FluidError::State`] for an array that is missing or of another length; nothing is changed then.
+    pub fn set_state(&mut self, arrays: &[(&str, &[f64])]) -> Result<(), FluidError> {
+        let mut found: Vec<&[f64]> = Vec::new();
+        for (name, own) in self.state() {
+            let array = arrays.iter().find(|(given, numbers)| *given == name && numbers.len() == own.len());
+            found.push(array.ok_or(FluidError::State(name))?.1);
+        }
+        let [
+            positions,
+            velocities,
+            densities,
+            points,
+            point_velocities,
+            point_densities,
+            forces,
+            owed,
+            thin,
+            ledger,
+        ] = found[..]
+        else {
+            return Err(FluidError::State("ledger"));
+        };
+        let (present, boundary, own) = (&mut self.present, &mut self.boundary, &mut self.ledger);
+        put(&mut present.positions, positions);
+        put(&mut present.velocities, velocities);
+        present.densities.copy_from_slice(densities);
+        put(&mut boundary.points, points);
+        put(&mut boundary.velocities, point_velocities);
+        boundary.densities.copy_from_slice(point_densities);
+        boundary.forces.as_flattened_mut().copy_from_slice(forces);
+        boundary.ledger.owed.copy_from_slice(owed);
+        let mut rest = thin;
+        for part in &mut boundary.thin {
+            let (own, after) = rest.split_at(part.state_len());
+            part.set_state(own);
+            rest = after;
+        }
+        if let [viscous, diffusion, external, dissipated, density_error, fastest, time] = *ledger {
+            boundary.ledger.time = time;
+            (own.viscous, own.diffusion, own.external) = (viscous, diffusion, external);
+            (own.dissipated, own.density_error, self.fastest) = (dissipated, density_error, fastest);
+        }
+        boundary.advance = 0.0;
+        self.fresh = false;
+        Ok(())
     }
 }

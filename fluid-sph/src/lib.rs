@@ -45,7 +45,7 @@
 //!
 //! Kinetic energy T, compression `U = Σ m ∫P/ρ² dρ`, losses D to friction and to the diffusion of density, and the work W of
 //! gravity and of boundaries: that of their motion, and that of the pressure they have of themselves, which fluid that comes
-//! nearer works against (src/boundary/work.rs). `T + U + D − W` is kept but for the step. Falling columns lose 0.5 % of
+//! nearer works against (src/boundary/points.rs). `T + U + D − W` is kept but for the step. Falling columns lose 0.5 % of
 //! what they release at worst, water at rest 3·10⁻⁴ of its weight's half height in ten times √(H/g); of the work of a tank
 //! that rolls for four periods 0.04 % is missing, of a cylinder that turns in viscous water 0.5 %.
 //!
@@ -101,7 +101,6 @@ mod pair;
 mod parts;
 mod sorted;
 mod start;
-mod state;
 mod sweeps;
 mod time;
 mod transport;
@@ -109,7 +108,7 @@ mod walls;
 
 pub use energies::Energies;
 pub use error::FluidError;
-pub use fluid::{Fluid, StepBounds};
+pub use fluid::Fluid;
 pub use flux::Section;
 pub use formulation::{Formulation, Scheme, WallRule};
 pub use lattice::lattice_moduli;

@@ -231,6 +231,7 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod block_pattern;
 mod bounds;
 mod branch;
 mod breaking;
@@ -259,6 +260,7 @@ mod stepper;
 mod symbolic;
 mod vectors;
 
+pub use block_pattern::BlockPattern;
 pub use bounds::OutOfBounds;
 pub use branch::switch_branch;
 pub use breaking::Breach;

@@ -1,7 +1,6 @@
 //! Newton's method at a fixed load level, or with the level as one more unknown and one more equation.
 
 mod parts;
-mod search;
 
 use crate::effort::Effort;
 use crate::error::require;

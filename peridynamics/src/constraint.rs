@@ -1,20 +1,18 @@
 //! All that the supports of one row ask of it: held directions, and a displacement along some of them.
 
 use explicit_dynamics::{Amplitude, Instant, Step};
-use sph_core::Vec3;
+use sph_core::{HeldDirections, Vec3};
 
 use crate::conditions::{Support, Supported};
 use crate::error::SolidError;
 
-/// Directions closer than this to the span of others add nothing but rounding.
-const SPANNED: f64 = 1e-9;
+/// A displacement along a held direction below this share of it is rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// What holds one row: the position of a node, or a director.
 #[derive(Clone, Debug)]
 pub(crate) struct Constraint {
-    /// Orthonormal held directions, three slots, `count` in use.
-    held: [Vec3; 3],
-    count: usize,
+    pub held: HeldDirections,
     motions: Vec<Motion>,
     /// The row at rest \[L\].
     rest: Vec3,
@@ -63,7 +61,7 @@ impl Constraints {
                 true => Constraint::of_position(row as u32, at, supports, across)?,
                 false => Constraint::of_director(at, supports),
             };
-            if constraint.count > 0 {
+            if !constraint.held.basis().is_empty() {
                 out.list.push(constraint);
                 out.of[row] = out.list.len() as u32;
             }
@@ -87,13 +85,13 @@ impl Constraints {
 
     /// Degrees of freedom that nothing holds.
     pub fn dof(&self) -> usize {
-        3 * self.of.len() - self.list.iter().map(|constraint| constraint.count).sum::<usize>()
+        3 * self.of.len() - self.list.iter().map(|constraint| constraint.held.basis().len()).sum::<usize>()
     }
 }
 
 impl Constraint {
     fn free(rest: Vec3) -> Self {
-        Self { held: [Vec3::zeros(); 3], count: 0, motions: Vec::new(), rest }
+        Self { held: HeldDirections::default(), motions: Vec::new(), rest }
     }
 
     fn of_position(
@@ -103,25 +101,26 @@ impl Constraint {
         across: Option<Vec3>,
     ) -> Result<Self, SolidError> {
         let mut out = Self::free(rest);
-        across.iter().for_each(|direction| out.hold(direction));
+        across.iter().for_each(|direction| out.held.hold(direction));
         for support in supports {
             if let Support::Held { displacement, .. } = support {
-                displacement.iter().for_each(|direction| out.hold(&direction.normalize()));
+                displacement.iter().for_each(|direction| out.held.hold(&direction.normalize()));
             }
         }
-        let fixed = out.count;
+        let fixed = out.held;
         for support in supports {
             let Support::Moved { direction, by, amplitude } = support else { continue };
             let displacement = direction.normalize() * *by;
             // What other supports hold must not oppose the motion.
-            let along = out.held[..fixed]
+            let along = fixed
+                .basis()
                 .iter()
                 .map(|held| displacement.dot(held))
                 .fold(0.0, |most, along| if f64::abs(along) > f64::abs(most) { along } else { most });
-            if along.abs() > SPANNED * by.abs() {
+            if along.abs() > ROUNDING * by.abs() {
                 return Err(SolidError::Contradiction { node, wanted: along });
             }
-            out.hold(&direction.normalize());
+            out.held.hold(&direction.normalize());
             out.motions.push(Motion { displacement, amplitude: amplitude.clone() });
         }
         Ok(out)
@@ -131,50 +130,10 @@ impl Constraint {
         let mut out = Self::free(rest);
         for support in supports {
             if let Support::Held { director, .. } = support {
-                director.iter().for_each(|direction| out.hold(&direction.normalize()));
+                director.iter().for_each(|direction| out.held.hold(&direction.normalize()));
             }
         }
         out
-    }
-
-    fn hold(&mut self, direction: &Vec3) {
-        let held = &self.held[..self.count];
-        let rest = held.iter().fold(*direction, |rest, known| rest - known * known.dot(&rest));
-        if self.count < 3 && rest.norm() > SPANNED {
-            self.held[self.count] = rest.normalize();
-            self.count += 1;
-        }
-    }
-
-    /// Orthonormal held directions.
-    pub fn held(&self) -> &[Vec3] {
-        &self.held[..self.count]
-    }
-
-    /// Takes the held part out of a vector.
-    #[inline]
-    pub fn free_part(&self, v: [f64; 3]) -> [f64; 3] {
-        let mut v = v;
-        for n in self.held() {
-            let along = v[0] * n.x + v[1] * n.y + v[2] * n.z;
-            for k in 0..3 {
-                v[k] -= along * n[k];
-            }
-        }
-        v
-    }
-
-    /// Orthonormal directions that are free.
-    pub fn free_directions(&self) -> Vec<Vec3> {
-        let mut basis = self.held().to_vec();
-        for axis in [Vec3::x(), Vec3::y(), Vec3::z()] {
-            let rest = basis.iter().fold(axis, |rest, known| rest - known * known.dot(&rest));
-            // At least one axis of three is this far from the span of one or two directions.
-            if rest.norm() > 0.5 && basis.len() < 3 {
-                basis.push(rest.normalize());
-            }
-        }
-        basis.split_off(self.count)
     }
 
     /// Whether it prescribes a displacement.
@@ -195,10 +154,6 @@ impl Constraint {
 
     /// Puts the held components of a row where an instant has them.
     pub fn put(&self, at: Instant, row: &mut [f64; 4]) {
-        let target = self.rest + self.displacement(at);
-        for n in self.held() {
-            let missing = n.dot(&(target - Vec3::new(row[0], row[1], row[2])));
-            (0..3).for_each(|k| row[k] += missing * n[k]);
-        }
+        self.held.put(&(self.rest + self.displacement(at)), row);
     }
 }

@@ -25,7 +25,6 @@ mod fracture;
 mod material;
 mod mirror;
 mod parts;
-mod results;
 mod sheets;
 mod solid;
 mod statics;

@@ -26,7 +26,7 @@ impl Unknowns {
             let unit = if row < nodes { 1.0 } else { 1.0 / arc };
             match constraints.get(row) {
                 None => out.directions.extend([Vec3::x(), Vec3::y(), Vec3::z()].map(|axis| axis * unit)),
-                Some(held) => out.directions.extend(held.free_directions().iter().map(|n| n * unit)),
+                Some(constraint) => out.directions.extend(constraint.held.free().iter().map(|n| n * unit)),
             }
             out.offsets.push(out.directions.len() as u32);
         }

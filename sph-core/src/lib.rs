@@ -155,6 +155,7 @@
 
 mod block;
 mod error;
+mod held_directions;
 mod kernel;
 mod neighbours;
 mod random;
@@ -165,6 +166,7 @@ mod walls;
 pub use block::{Block, BlockLattice, CutOut, NodePlaces};
 pub use block::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use error::SpaceError;
+pub use held_directions::HeldDirections;
 pub use kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, kernel, kernels};
 pub use neighbours::CellList;
 pub use sampling::cell_stencil::cell_operator;
@@ -190,7 +192,7 @@ pub use surface::pairing::pair_triangles;
 pub use surface::patch::{Cylinder, Parametric, Patch, Plate, Sphere, Twisted};
 pub use surface::poisson::poisson_cloud;
 pub use surface::sides::{Side, Sides};
-pub use walls::{WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows};
+pub use walls::{LineSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows};
 pub use walls::{surface_first_row, surface_rows};
 
 /// A point or vector of space; positions are in `[L]`.

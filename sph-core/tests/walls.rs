@@ -111,17 +111,17 @@ fn a_closed_rectangle_is_a_basin_outside_and_an_obstacle_inside() {
     let basin = basin_rows(&min, &max, [false; 6], 2, SPACING, 3).unwrap();
     let block = block_rows([1.0, 0.6, 0.0], &min, 2, SPACING, 3).unwrap();
     let backwards: Vec<[f64; 2]> = BOX.iter().rev().copied().collect();
-    assert_same(polyline_rows(&BOX, WallSide::Right, SPACING, 3).unwrap(), basin.clone());
-    assert_same(polyline_rows(&backwards, WallSide::Left, SPACING, 3).unwrap(), basin);
-    assert_same(polyline_rows(&BOX, WallSide::Left, SPACING, 3).unwrap(), block);
+    assert_same(polyline_rows(&BOX, LineSide::Right, SPACING, 3).unwrap(), basin.clone());
+    assert_same(polyline_rows(&backwards, LineSide::Left, SPACING, 3).unwrap(), basin);
+    assert_same(polyline_rows(&BOX, LineSide::Left, SPACING, 3).unwrap(), block);
 }
 
 #[test]
 fn an_open_line_is_flush_at_its_ends() {
-    let rows = polyline_rows(&[[0.0, 0.0], [0.46, 0.0], [1.0, 0.0]], WallSide::Left, SPACING, 2).unwrap();
+    let rows = polyline_rows(&[[0.0, 0.0], [0.46, 0.0], [1.0, 0.0]], LineSide::Left, SPACING, 2).unwrap();
     let lattice = (0..2).flat_map(|j| (0..10).map(move |i| Vec3::new(i as f64 + 0.5, j as f64 + 0.5, 0.0)));
     assert_same(rows, lattice.map(|x| x * SPACING).collect());
-    let short = polyline_rows(&[[0.0, 0.0], [0.0, 0.03]], WallSide::Right, SPACING, 1).unwrap();
+    let short = polyline_rows(&[[0.0, 0.0], [0.0, 0.03]], LineSide::Right, SPACING, 1).unwrap();
     assert_same(short, vec![Vec3::new(0.05, 0.015, 0.0)]);
 }
 
@@ -136,7 +136,7 @@ fn distance(points: &[[f64; 2]], x: &Vec3) -> f64 {
 }
 
 /// What every wall along a polyline obeys, and its leaks.
-fn checked(points: &[[f64; 2]], side: WallSide) -> (Vec<Vec3>, usize) {
+fn checked(points: &[[f64; 2]], side: LineSide) -> (Vec<Vec3>, usize) {
     let walls = polyline_rows(points, side, SPACING, 3).unwrap();
     assert!(nearest_pair(&walls) >= 0.5 * SPACING, "{points:?}: {}", nearest_pair(&walls));
     for x in &walls {
@@ -153,12 +153,12 @@ fn corners_of_any_angle_are_closed_outside() {
         // The fluid is within the angle, which opens to the right; the wall lies to the left of who comes from above.
         let half = 0.5 * degrees.to_radians();
         let wedge = [[libm::cos(half), libm::sin(half)], [0.0, 0.0], [libm::cos(half), -libm::sin(half)]];
-        let (outside, open) = checked(&wedge, WallSide::Right);
+        let (outside, open) = checked(&wedge, LineSide::Right);
         assert_eq!(open, 0, "{degrees}°");
         // A ray from within, through the corner and half a spacing to either side, meets the wall: the tip is closed.
         let tip = outside.iter().filter(|x| x.x < 0.0 && x.y.abs() < 0.6 * SPACING).count();
         assert!(tip > 0, "{degrees}°");
-        let (_, open) = checked(&wedge, WallSide::Left);
+        let (_, open) = checked(&wedge, LineSide::Left);
         assert_eq!(open > 0, degrees < 50.0, "{degrees}°: a blade without particles at its edge is named");
     }
 }
@@ -171,7 +171,7 @@ fn a_circle_of_few_or_many_points_has_rows_of_its_length() {
             [libm::cos(angle), libm::sin(angle)]
         };
         let circle: Vec<[f64; 2]> = (0..=count).map(at).collect();
-        for (side, sign) in [(WallSide::Right, 1.0), (WallSide::Left, -1.0)] {
+        for (side, sign) in [(LineSide::Right, 1.0), (LineSide::Left, -1.0)] {
             let (walls, open) = checked(&circle, side);
             assert_eq!(open, 0);
             let rows = [0.05, 0.15, 0.25].map(|d| 1.0 + sign * d);
@@ -188,8 +188,8 @@ fn a_circle_of_few_or_many_points_has_rows_of_its_length() {
 #[test]
 fn a_plate_thinner_than_a_spacing_is_named() {
     let plate = |thickness: f64| [[0.0, 0.0], [1.0, 0.0], [1.0, thickness], [0.0, thickness], [0.0, 0.0]];
-    assert_eq!(checked(&plate(0.11), WallSide::Left).1, 0);
-    assert_eq!(checked(&plate(0.08), WallSide::Left).1, 1);
+    assert_eq!(checked(&plate(0.11), LineSide::Left).1, 0);
+    assert_eq!(checked(&plate(0.08), LineSide::Left).1, 1);
 }
 
 #[test]
@@ -202,7 +202,7 @@ fn tight_bends_into_the_wall_are_trimmed_without_a_gap() {
     }));
     points.extend([[0.06, 0.0], [1.0, 0.0]]);
     // The wall below: the bump stands into the fluid. Above: the fluid fills a groove.
-    for side in [WallSide::Right, WallSide::Left] {
+    for side in [LineSide::Right, LineSide::Left] {
         let (walls, open) = checked(&points, side);
         // Along 2 with a bump there are 20 particles a row, and one to seven more round the groove.
         assert!((57..=80).contains(&walls.len()), "{}", walls.len());
@@ -228,7 +228,7 @@ proptest! {
             let angle = libm::atan2(v[0] * u[1] - v[1] * u[0], v[0] * u[0] + v[1] * u[1]);
             if angle < 0.0 { -angle } else { std::f64::consts::TAU - angle }
         }).fold(f64::INFINITY, f64::min);
-        let (walls, open) = checked(&star, WallSide::Right);
+        let (walls, open) = checked(&star, LineSide::Right);
         if sharpest > 1.0 {
             prop_assert_eq!(open, 0);
         }
@@ -258,7 +258,7 @@ fn wrong_walls_are_refused() {
     refused(basin_rows(&zero, &one, floor, 2, 0.1, 3), "closed sides of a basin = 0");
     refused(block_rows([1.0, 0.05, 1.0], &zero, 2, 0.1, 3), "over the spacing = 0.5");
     refused(block_rows([1.0, f64::INFINITY, 1.0], &zero, 2, 0.1, 3), "length of a wall = inf");
-    let line = |points: &[[f64; 2]]| polyline_rows(points, WallSide::Left, 0.1, 3);
+    let line = |points: &[[f64; 2]]| polyline_rows(points, LineSide::Left, 0.1, 3);
     refused(line(&[[0.0, 0.0]]), "points of a polyline: 1 found");
     refused(line(&[[0.0, 0.0], [1.0, f64::NAN]]), "particle 1: a coordinate of a polyline is NaN");
     refused(line(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0]]), "particles 1 and 2 coincide");

@@ -11,13 +11,18 @@ pub enum Reach {
     Kernel(&'static dyn Kernel, f64),
 }
 
-/// How the strong form reads the divergence of eq. 4 of \[lin2013\].
+/// How the strong form reads the divergence.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Divergence {
-    /// `Σ_b (P_b + P_a)·∇̃W_ab`, as printed.
+    /// `Σ (P_b + P_a)·∇W`, as printed: at edges far off.
     #[default]
     Sum,
-    /// `Σ_b (P_b − P_a)·∇̃W_ab`, zero for constant stress, with the resultants of edges prescribed.
+    /// `Σ (P_b − P_a)·∇W` with the resultants of edges prescribed.
     Difference,
 }
 

@@ -288,7 +288,6 @@
 mod builder;
 mod conditions;
 mod control;
-mod decay;
 mod dependents;
 mod dispatch;
 mod error;
@@ -351,7 +350,7 @@ pub use statics::static_shell::StaticShell;
 pub use ties::list::Tie;
 pub use ties::loss::TieLoss;
 pub use turning::TurningInertia;
-pub use wetted::wetting::{Sides, Wetting};
+pub use wetted::wetting::{WetFaces, Wetting};
 
 /// A shell of SPH particles, ready to be marched.
 pub struct Shell {

@@ -159,7 +159,7 @@ impl Shell {
         let group = self.dependents.junctions.of(particle);
         let rigid = group.is_some_and(|group| group.body.is_some());
         if let Some(constraint) = self.constraint(particle).filter(|_| !rigid) {
-            (v, w) = (constraint.free_translation(v), constraint.free_rotation(w));
+            (v, w) = (constraint.held.free_part(v), constraint.free_rotation(w));
         }
         self.motion.rates[particle] = [v[0], v[1], v[2], w[0], w[1], w[2]];
         for &a in group.iter().filter(|_| !rigid).flat_map(|group| &group.particles) {

@@ -121,7 +121,7 @@ impl Shell {
                 Some(group.pole(&rest) + body.arm(&group.triad(&rest)))
             });
             let arm = at.unwrap_or(self.reference.cloud.positions[a]) - centre;
-            constraint.held().iter().for_each(|e| hold(e, arm.cross(e)));
+            constraint.held.basis().iter().for_each(|e| hold(e, arm.cross(e)));
             let frame = self.reference.cloud.frames[a];
             let turns: Vec<Vec3> = match (constraint.director, group) {
                 (DirectorHold::Free, _) => Vec::new(),

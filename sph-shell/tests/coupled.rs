@@ -11,7 +11,7 @@ use explicit_dynamics::{
 };
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cloud, EndWeights, Plate, Vec3, lattice};
-use sph_shell::{Clamped, Formulation, Parts, Reach, Shell, Sides, Supported, SymmetryPlane, Wetting};
+use sph_shell::{Clamped, Formulation, Parts, Reach, Shell, Supported, SymmetryPlane, WetFaces, Wetting};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
 #[global_allocator]
@@ -110,7 +110,7 @@ fn strip(along: usize, threads: usize) -> Shell {
         threads,
     });
     let wetting =
-        Wetting { spacing: 0.025, rows: 1, sides: Sides::Back, plane: true, free_edges: Vec::new() };
+        Wetting { spacing: 0.025, rows: 1, faces: WetFaces::Back, plane: true, free_edges: Vec::new() };
     shell.wetted(wetting).build().unwrap()
 }
 

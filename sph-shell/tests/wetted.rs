@@ -9,13 +9,13 @@ use std::f64::consts::PI;
 use common::{RandomNumbers, curved, energy_formulations, flat, free_shell, parts, scattered_curved, shake};
 use explicit_dynamics::{BoundaryLoad, BoundaryState, Dynamics, Face, Instant, Wetted};
 use sph_core::{Cell, Cloud, Side, Vec3};
-use sph_shell::{Formulation, Reach, Shell, ShellError, Sides, Wetting};
+use sph_shell::{Formulation, Reach, Shell, ShellError, WetFaces, Wetting};
 
 const CELLS: Formulation = Formulation::StressPoint(Reach::Cell);
 const THICKNESS: f64 = 0.05;
 
 fn wetting(spacing: f64) -> Wetting {
-    Wetting { spacing, rows: 3, sides: Sides::Both, plane: false, free_edges: Vec::new() }
+    Wetting { spacing, rows: 3, faces: WetFaces::Both, plane: false, free_edges: Vec::new() }
 }
 
 /// A strip along x that stands on the plane z = 0, so many particles along it and across.
@@ -83,7 +83,10 @@ fn shaken() -> Vec<(&'static str, Shell)> {
         ("strip in a plane", wet(strips, &plane)),
         ("tube in a plane", wet(tube(40, 1.0, 0.1), &plane)),
         ("lattice, finer fluid", wet(curved([7, 6]), &wetting(0.13))),
-        ("lattice, coarser fluid", wet(curved([17, 16]), &Wetting { sides: Sides::Back, ..wetting(0.37) })),
+        (
+            "lattice, coarser fluid",
+            wet(curved([17, 16]), &Wetting { faces: WetFaces::Back, ..wetting(0.37) }),
+        ),
         ("scattered, finer fluid", wet(scattered_curved(0.3), &wetting(0.17))),
         ("scattered, coarser fluid", wet(scattered_curved(0.2), &Wetting { rows: 1, ..wetting(0.5) })),
         ("without cells", without_cells),
@@ -254,7 +257,7 @@ fn points_cover_a_shell_in_space_evenly() {
         let sides = cloud.sides.clone().unwrap();
         let free = sides.edge(Side::U1).to_vec();
         let shell =
-            wet(cloud, &Wetting { free_edges: free, sides: Sides::Front, rows: 2, ..wetting(spacing) });
+            wet(cloud, &Wetting { free_edges: free, faces: WetFaces::Front, rows: 2, ..wetting(spacing) });
         let (layout, state) = (shell.boundary_layout(), boundary(&shell));
         let columns = layout.points / 2;
         let whole: f64 = layout.areas[..columns].iter().sum();
@@ -275,8 +278,8 @@ fn points_cover_a_shell_in_space_evenly() {
 /// A pressure on the points of a face pushes like a pressure on the cells.
 #[test]
 fn pressure_on_points_is_pressure_on_the_shell() {
-    for sides in [Sides::Front, Sides::Back] {
-        let mut shell = wet(tube(60, 1.0, 0.1), &Wetting { plane: true, sides, rows: 3, ..wetting(0.011) });
+    for faces in [WetFaces::Front, WetFaces::Back] {
+        let mut shell = wet(tube(60, 1.0, 0.1), &Wetting { plane: true, faces, rows: 3, ..wetting(0.011) });
         let (state, areas) = (boundary(&shell), shell.boundary_layout().areas.clone());
         let columns = state.middle.len();
         let forces: Vec<[f64; 3]> =

@@ -1,13 +1,16 @@
 //! A symmetric matrix of blocks of three by three between nodes, its upper half by rows.
 
+use std::mem::replace;
+
+use implicit_statics::BlockPattern;
+
 use crate::discretisation::Cell;
 
 /// Which nodes couple, and the values between them.
 ///
 /// Row I holds the columns J ≥ I, ascending; its nine component planes lie one after the other, each as long as the row.
 pub(crate) struct Blocks {
-    starts: Vec<usize>,
-    columns: Vec<u32>,
+    pattern: BlockPattern,
     values: Vec<f64>,
 }
 
@@ -20,24 +23,12 @@ impl Blocks {
                 of[node as usize].push((number as u32, at as u32));
             }
         }
-        let (mut starts, mut columns) = (vec![0], Vec::new());
-        let mut seen = vec![u32::MAX; nodes];
-        for (node, lists_of_node) in of.iter().enumerate() {
-            let begin = columns.len();
-            seen[node] = node as u32;
-            columns.push(node as u32);
-            for &(list, at) in lists_of_node {
-                for &other in &lists[list as usize][at as usize..] {
-                    if seen[other as usize] != node as u32 {
-                        seen[other as usize] = node as u32;
-                        columns.push(other);
-                    }
-                }
-            }
-            columns[begin..].sort_unstable();
-            starts.push(columns.len());
-        }
-        Self { values: vec![0.0; 9 * columns.len()], starts, columns }
+        let mut seen = vec![usize::MAX; nodes];
+        let pattern = BlockPattern::new(nodes, |node, row| {
+            let others = of[node].iter().flat_map(|&(list, at)| &lists[list as usize][at as usize..]);
+            row.extend(others.filter(|&&other| replace(&mut seen[other as usize], node) != node));
+        });
+        Self { values: vec![0.0; 9 * pattern.blocks()], pattern }
     }
 
     /// Forgets all values.
@@ -50,17 +41,12 @@ impl Blocks {
         self.values.len()
     }
 
-    /// Columns of a row.
-    pub fn columns(&self, row: usize) -> &[u32] {
-        &self.columns[self.starts[row]..self.starts[row + 1]]
-    }
-
     /// Where the value between parameters `3I + i` and `3J + k`, J ≥ I, is stored, if nodes I and J couple.
     pub fn place(&self, row: usize, column: usize) -> Option<usize> {
         let (i, k) = (row % 3, column % 3);
-        let columns = self.columns(row / 3);
-        let at = columns.binary_search(&((column / 3) as u32)).ok()?;
-        Some(9 * self.starts[row / 3] + (3 * i + k) * columns.len() + at)
+        let own = self.pattern.of(row / 3);
+        let block = self.pattern.find((row / 3) as u32, (column / 3) as u32)?;
+        Some(9 * own.start + (3 * i + k) * own.len() + block - own.start)
     }
 
     /// The values.
@@ -74,12 +60,12 @@ impl Blocks {
         for &(first, length) in &cell.runs {
             for at in first..first + length {
                 let node = cell.nodes[at as usize] as usize;
-                let begin = self.starts[node];
-                let count = self.starts[node + 1] - begin;
+                let (begin, columns) = (self.pattern.of(node).start, self.pattern.columns(node));
+                let count = columns.len();
                 for &(other, other_length) in cell.runs.iter().filter(|run| run.0 + run.1 > at) {
                     let from = other.max(at) as usize;
                     let length = (other + other_length) as usize - from;
-                    let place = self.columns[begin..][..count].partition_point(|&c| c < cell.nodes[from]);
+                    let place = columns.partition_point(|&c| c < cell.nodes[from]);
                     for component in 0..9 {
                         let source = &matrix[(9 * at as usize + component) * width + from..][..length];
                         let target = &mut self.values[9 * begin + component * count + place..][..length];
@@ -92,7 +78,7 @@ impl Blocks {
 
     /// Adds a block between nodes `I ≤ J` that couple, by rows.
     pub fn add(&mut self, row: u32, column: u32, block: &[[f64; 3]; 3]) {
-        let count = self.columns(row as usize).len();
+        let count = self.pattern.of(row as usize).len();
         if let Some(place) = self.place(3 * row as usize, 3 * column as usize) {
             for i in 0..3 {
                 for k in 0..3 {
@@ -115,13 +101,13 @@ impl Blocks {
 
     /// Visits every value once: parameters of row and column, place. Of diagonal blocks the upper half is left out.
     pub fn visit(&self, mut found: impl FnMut(usize, usize, usize)) {
-        for row in 0..self.starts.len() - 1 {
-            let columns = self.columns(row);
+        for row in 0..self.pattern.rows() {
+            let columns = self.pattern.columns(row);
             for component in 0..9 {
                 let (i, k) = (component / 3, component % 3);
                 for (at, &column) in columns.iter().enumerate() {
                     if column as usize > row || k >= i {
-                        let place = 9 * self.starts[row] + component * columns.len() + at;
+                        let place = 9 * self.pattern.of(row).start + component * columns.len() + at;
                         found(3 * row + i, 3 * column as usize + k, place);
                     }
                 }
@@ -139,8 +125,8 @@ mod tests {
     fn places_are_where_values_are_added_and_each_is_visited_once() {
         let lists = [vec![0, 1, 3], vec![1, 2], vec![0, 1, 3]];
         let mut blocks = Blocks::new(4, &[&lists[0], &lists[1], &lists[2]]);
-        assert_eq!(blocks.columns(0), [0, 1, 3]);
-        assert_eq!(blocks.columns(1), [1, 2, 3]);
+        assert_eq!(blocks.pattern.columns(0), [0, 1, 3]);
+        assert_eq!(blocks.pattern.columns(1), [1, 2, 3]);
         assert_eq!(blocks.place(0, 6), None);
         blocks.add(1, 3, &[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]]);
         let mut count = 0;

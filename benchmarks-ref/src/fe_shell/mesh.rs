@@ -97,11 +97,6 @@ impl Mesh {
         }
     }
 
-    /// The nodes whose reference position fulfils a condition.
-    pub fn nodes_where(&self, condition: impl Fn(&Vector3<f64>) -> bool) -> Vec<usize> {
-        (0..self.positions.len()).filter(|&node| condition(&self.positions[node])).collect()
-    }
-
     /// The four nodes of each element, counter-clockwise seen from the director's side.
     pub fn elements(&self) -> Vec<[usize; 4]> {
         let corner =
@@ -142,7 +137,6 @@ mod tests {
         assert_eq!(mesh.side(Side::XiEnd), [3, 7, 11]);
         assert_eq!(mesh.side(Side::EtaStart), [0, 1, 2, 3]);
         assert_eq!(mesh.side(Side::EtaEnd), [8, 9, 10, 11]);
-        assert_eq!(mesh.nodes_where(|x| x.x > 2.5), mesh.side(Side::XiEnd));
         assert_eq!(mesh.elements().len(), 6);
     }
 }

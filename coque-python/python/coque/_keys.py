@@ -147,7 +147,7 @@ if TYPE_CHECKING:
     Polyline = TypedDict("Polyline", {"points": Sequence[Sequence[float]], "side": "LineSide"})
     Prebuckling: TypeAlias = Union[Literal['rotations'], Literal['stress']]
     Pressure = TypedDict("Pressure", {"follower": NotRequired[bool], "value": float})
-    Probe = TypedDict("Probe", {"about": NotRequired[Sequence[float]], "at": NotRequired[Sequence[float]], "direction": NotRequired[Sequence[float]], "face": NotRequired["ShellFace"], "factor": NotRequired[float], "name": str, "of": "Measured", "on": str, "take": NotRequired["Take"], "through": NotRequired["Through"]})
+    Probe = TypedDict("Probe", {"about": NotRequired[Sequence[float]], "at": NotRequired[Sequence[float]], "direction": NotRequired[Sequence[float]], "face": NotRequired["ShellFace"], "factor": NotRequired[float], "name": str, "of": "Measured", "on": str, "take": NotRequired["Take"], "through": NotRequired["Through"], "unit": NotRequired[str]})
     QuasiStatic = TypedDict("QuasiStatic", {"accuracy": NotRequired[float], "damping": NotRequired["Damping"], "hold": NotRequired[float], "levels": "Levels", "period": NotRequired[float], "ramp": NotRequired[float], "stability": NotRequired[bool], "tolerance": NotRequired[float]})
     Reach: TypeAlias = Union[Literal['cell'], float]
     Region = TypedDict("Region", {"box": NotRequired["Box3"], "layer": NotRequired["Layer"], "nearest": NotRequired[Sequence[float]], "of": NotRequired[str], "plane": NotRequired["OnPlane"]})

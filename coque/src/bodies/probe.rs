@@ -7,7 +7,7 @@ use super::sampled::POINT_NUMBERS;
 use super::sampled::Sampled;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Measured, Take, mean_of};
+use crate::scene::{self, Measured, Scene, Take, mean_of};
 
 /// One column, measured.
 #[derive(Clone, Debug)]
@@ -28,6 +28,8 @@ pub struct Probe {
     pub take: Take,
     /// Factor on the value.
     pub factor: f64,
+    /// Unit in which the column is written, to which the factor converts; none where it is that of its quantity.
+    pub unit: Option<String>,
     /// Where strains are sampled, of what follows from them.
     pub(crate) sampled: Option<Sampled>,
     /// For a rotation: last director and angle so far \[rad\] of each particle.
@@ -37,15 +39,35 @@ pub struct Probe {
 impl Probe {
     /// A column of factor one, the usual of its quantity taken.
     pub fn new(name: &str, of: Measured, particles: Vec<u32>, direction: Vec3) -> Self {
-        let (take, quantity, about) = (Take::usual(of), usual(of), Vec3::zeros());
+        let (take, quantity, about) = (Take::usual(of), of.quantity(), Vec3::zeros());
         let name = name.into();
-        let (sampled, turns) = (None, Vec::new());
-        Self { name, of, particles, direction, about, quantity, take, factor: 1.0, sampled, turns }
+        let (unit, sampled, turns) = (None, None, Vec::new());
+        Self { name, of, particles, direction, about, quantity, take, factor: 1.0, unit, sampled, turns }
+    }
+
+    /// A column of a scene.
+    pub(crate) fn of_column(
+        scene: &Scene,
+        column: &scene::Probe,
+        particles: Vec<u32>,
+        direction: Vec3,
+    ) -> Self {
+        let unit = scene.unit_of(column);
+        let factor = unit.as_ref().map_or(column.factor, |unit| column.factor * unit.factor);
+        Self {
+            take: column.taken(),
+            factor,
+            unit: unit.map(|unit| unit.symbol),
+            about: column.about.map_or_else(Vec3::zeros, Vec3::from),
+            quantity: scene.quantity(column.of),
+            ..Self::new(&column.name, column.of, particles, direction)
+        }
     }
 
     /// Its column, and that of its mean where it has one.
     pub(crate) fn columns(&self, units: &Units) -> impl Iterator<Item = Column> {
-        let column = |name| Column { name, unit: units.symbol(self.quantity) };
+        let unit = self.unit.clone().unwrap_or_else(|| units.symbol(self.quantity));
+        let column = move |name| Column { name, unit: unit.clone() };
         let mean = self.of.has_mean().then(|| column(mean_of(&self.name)));
         [Some(column(self.name.clone())), mean].into_iter().flatten()
     }
@@ -132,29 +154,6 @@ impl Probe {
             *angle += turn(last, &now, &self.direction);
             *last = now;
         }
-    }
-}
-
-/// What values of a quantity are, where nothing is by depth.
-fn usual(of: Measured) -> Quantity {
-    match of {
-        Measured::Displacement | Measured::Position | Measured::Level | Measured::WetLength => {
-            Quantity::Length
-        }
-        Measured::Reaction | Measured::ContactForce | Measured::Force => Quantity::Force,
-        Measured::Rotation => Quantity::Angle,
-        Measured::Director | Measured::Damage | Measured::Pieces => Quantity::Ratio,
-        Measured::Velocity => Quantity::Speed,
-        Measured::FractureEnergy | Measured::Moment | Measured::ReactionMoment | Measured::Energy => {
-            Quantity::Energy
-        }
-        Measured::StrainEnergy | Measured::Pressure | Measured::Stress | Measured::VonMises => {
-            Quantity::Stress
-        }
-        Measured::MembraneForce | Measured::ShearForce => Quantity::ForcePerLength,
-        Measured::BendingMoment => Quantity::MomentPerLength,
-        Measured::Density => Quantity::Density,
-        Measured::Flux => Quantity::Flux,
     }
 }
 

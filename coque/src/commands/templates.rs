@@ -90,6 +90,7 @@ const TEMPLATES: [(&str, &str); 49] = [
     ("stepped-plate", include_str!("../../../scenes/stepped-plate.toml")),
     ("stiffened-panel-abaqus", include_str!("../../../scenes/meshes/stiffened-panel-abaqus.toml")),
     ("stiffened-panel-gmsh", include_str!("../../../scenes/meshes/stiffened-panel-gmsh.toml")),
+    ("strip-over-drum", include_str!("../../../scenes/strip-over-drum.toml")),
     ("t-frame", include_str!("../../../scenes/meshes/t-frame.toml")),
     ("tensioned-plate", include_str!("../../../scenes/tensioned-plate.toml")),
     ("thick-ring", include_str!("../../../scenes/thick-ring.toml")),

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::units::Quantity;
+
 /// One column of the curve.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -31,6 +33,8 @@ pub struct Probe {
     /// Factor on the value, such as 4 for the reaction of a quarter model.
     #[serde(default = "one")]
     pub factor: f64,
+    /// Unit in which the column is written, such as `mm`, `kN` or `MPa`; left out, that of the scene. Values are converted.
+    pub unit: Option<String>,
 }
 
 /// A line of a plane, a face in space: the part between bounds of what lies across a normal.
@@ -186,6 +190,23 @@ impl Measured {
             Self::Force => "force",
             Self::Moment => "moment",
             Self::Flux => "flux",
+        }
+    }
+
+    /// What its values are, where nothing is by depth.
+    pub fn quantity(self) -> Quantity {
+        match self {
+            Self::Displacement | Self::Position | Self::Level | Self::WetLength => Quantity::Length,
+            Self::Reaction | Self::ContactForce | Self::Force => Quantity::Force,
+            Self::Rotation => Quantity::Angle,
+            Self::Director | Self::Damage | Self::Pieces => Quantity::Ratio,
+            Self::Velocity => Quantity::Speed,
+            Self::FractureEnergy | Self::Moment | Self::ReactionMoment | Self::Energy => Quantity::Energy,
+            Self::StrainEnergy | Self::Pressure | Self::Stress | Self::VonMises => Quantity::Stress,
+            Self::MembraneForce | Self::ShearForce => Quantity::ForcePerLength,
+            Self::BendingMoment => Quantity::MomentPerLength,
+            Self::Density => Quantity::Density,
+            Self::Flux => Quantity::Flux,
         }
     }
 

@@ -11,32 +11,10 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, unknown};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 24] = [
-    "title",
-    "units",
-    "geometry",
-    "orientation",
-    "material",
-    "section",
-    "parts",
-    "masses",
-    "ties",
-    "rigid",
-    "tools",
-    "initial_stress",
-    "formulation",
-    "velocity",
-    "placed",
-    "imperfection",
-    BODIES,
-    "sets",
-    "supports",
-    "loads",
-    "analysis",
-    "coupling",
-    "curve",
-    "output",
-];
+fn words() -> Vec<&'static str> {
+    let others = [BODIES, "sets", "supports", "loads", "analysis", "coupling", "curve", "output"];
+    [&["title", "units"], &ShellScene::WORDS[..], &others].concat()
+}
 
 /// Name and kind of the body that the short form means.
 const SHELL: &str = "shell";
@@ -48,9 +26,10 @@ const SHELL: &str = "shell";
 pub(super) fn lengthen(document: &mut Spanned<DeTable<'_>>, source: &Source) -> Result<(), SceneError> {
     let span = document.span();
     let top = document.get_mut();
-    if let Some((key, _)) = top.iter().find(|(key, _)| !WORDS.contains(&&**key.get_ref())) {
+    let words = words();
+    if let Some((key, _)) = top.iter().find(|(key, _)| !words.contains(&&**key.get_ref())) {
         let place = source.at(Some(key.span()));
-        return Err(unknown(key.get_ref(), "", &WORDS, place, SceneError::UnknownKey));
+        return Err(unknown(key.get_ref(), "", &words, place, SceneError::UnknownKey));
     }
     let mut shell = DeTable::new();
     for key in ShellScene::WORDS {
@@ -84,7 +63,7 @@ mod tests {
     #[test]
     fn the_keys_at_the_top_are_those_of_the_schema() {
         let schema = crate::scene::schema::schema();
-        let mut words = WORDS;
+        let mut words = words();
         words.sort_unstable();
         assert!(schema["properties"].as_object().unwrap().keys().eq(words));
     }

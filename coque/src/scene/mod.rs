@@ -5,10 +5,10 @@ mod analysis;
 mod analysis_kind;
 pub(crate) mod body_in_scene;
 pub mod bounded;
-mod bounds;
 pub(crate) mod catalogue;
 mod check;
 mod checked;
+mod column_unit;
 mod compatibility;
 mod coupling;
 mod curve;
@@ -23,7 +23,6 @@ mod output;
 mod overrides;
 mod per_axis;
 mod problem;
-mod read;
 pub(crate) mod reference;
 pub(crate) mod render;
 pub(crate) mod schema;
@@ -56,7 +55,8 @@ pub use output::{Fields, Output, Plot};
 pub use per_axis::PerAxis;
 pub use problem::{BodyScene, Scene};
 pub use sets::{Box3, Layer, OnPlane, Region};
-pub use shell::formulation::{Divergence, Formulation, Nodal, Reach, StressPoint, StrongForm};
+pub use shell::ShellScene;
+pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use shell::geometry::{
     Cylinder, Disorder, Geometry, Orientation, Placed, Placing, Plate, Scattered, Sphere, Twisted,
 };
@@ -68,7 +68,6 @@ pub use shell::material::{
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
 pub use shell::tools::{ToolCapsule, ToolCylinder, ToolPlane, ToolScene, ToolSphere};
-pub use shell::{ShellScene, WetFaces};
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};
@@ -80,6 +79,8 @@ pub use solid::geometry::{
     Arc, Ball, Block, Cuboid, CutOut, NodeDisorder, NodePlaces, Polygon, RoundHole, SolidGeometry,
 };
 pub use solid::material::{OrthotropicSolid, SolidMaterial};
+pub use sph_core::LineSide;
+pub use sph_shell::{Divergence, WetFaces};
 pub use statics::{
     ArcLength, Branches, Buckling, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation,
     RelaxationDamping, Static, Stop,
@@ -87,6 +88,6 @@ pub use statics::{
 pub use supports::*;
 pub use velocity::{Spin, Velocity};
 pub use walls::{
-    Basin, LineSide, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface,
-    WallTranslation, WallsScene,
+    Basin, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface, WallTranslation,
+    WallsScene,
 };

@@ -8,8 +8,9 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::analysis::Analysis;
+use super::column_unit::ColumnUnit;
 use super::coupling::Coupling;
-use super::curve::Probe;
+use super::curve::{Measured, Probe};
 use super::fluid::FluidScene;
 use super::loads::Load;
 use super::output::Output;
@@ -19,7 +20,7 @@ use super::shell::ShellScene;
 use super::solid::SolidScene;
 use super::source::{BODIES, Source};
 use super::supports::Support;
-use super::units::Units;
+use super::units::{Quantity, Units};
 use super::velocity::Velocity;
 use super::walls::WallsScene;
 
@@ -126,6 +127,19 @@ impl Scene {
             BodyScene::Fluid(fluid) => fluid.dimensions() == 2,
             BodyScene::Walls(_) => true,
         })
+    }
+
+    /// What a column measures, by depth where the bodies or the fluid that it is read from are plane.
+    pub(crate) fn quantity(&self, of: Measured) -> Quantity {
+        let plane = self.fluid().is_some_and(|(_, fluid)| fluid.dimensions() == 2);
+        let of_fluid = plane && matches!(of, Measured::Force | Measured::Moment | Measured::Flux);
+        let quantity = of.quantity();
+        if of_fluid || self.is_by_depth() { quantity.by_depth() } else { quantity }
+    }
+
+    /// The unit that a column names; none if it names none that fits.
+    pub(crate) fn unit_of(&self, column: &Probe) -> Option<ColumnUnit> {
+        ColumnUnit::named(column.unit.as_ref()?, self.quantity(column.of), &self.units)
     }
 
     /// The fluid with its name, of whatever other bodies there are.

@@ -129,6 +129,50 @@ impl Quantity {
             other => other,
         }
     }
+
+    /// How its unit is written with those of length, force and time, of an angle in radians.
+    pub(super) fn form(self, length: &str, force: &str, time: &str) -> String {
+        match self {
+            Self::Ratio => "-".into(),
+            Self::Angle => "rad".into(),
+            Self::Length => length.into(),
+            Self::Force => force.into(),
+            Self::Time => time.into(),
+            Self::Rate => format!("1/{time}"),
+            Self::Energy => format!("{force} {length}"),
+            Self::Speed => format!("{length}/{time}"),
+            Self::Curvature => format!("1/{length}"),
+            Self::ForcePerLength => format!("{force}/{length}"),
+            Self::MomentPerLength => format!("{force} {length}/{length}"),
+            Self::Stress => format!("{force}/{length}²"),
+            Self::Area => format!("{length}²"),
+            Self::Volume => format!("{length}³"),
+            Self::Density => format!("{force} {time}²/{length}⁴"),
+            Self::Flux => format!("{length}³/{time}"),
+            Self::FluxByDepth => format!("{length}²/{time}"),
+        }
+    }
+
+    /// Powers of length, force and time in it.
+    pub(super) fn powers(self) -> [i32; 3] {
+        match self {
+            Self::Ratio | Self::Angle => [0, 0, 0],
+            Self::Length => [1, 0, 0],
+            Self::Force | Self::MomentPerLength => [0, 1, 0],
+            Self::Time => [0, 0, 1],
+            Self::Rate => [0, 0, -1],
+            Self::Energy => [1, 1, 0],
+            Self::Speed => [1, 0, -1],
+            Self::Curvature => [-1, 0, 0],
+            Self::ForcePerLength => [-1, 1, 0],
+            Self::Stress => [-2, 1, 0],
+            Self::Area => [2, 0, 0],
+            Self::Volume => [3, 0, 0],
+            Self::Density => [-4, 1, 2],
+            Self::Flux => [3, 0, -1],
+            Self::FluxByDepth => [2, 0, -1],
+        }
+    }
 }
 
 impl Length {
@@ -180,27 +224,11 @@ impl Units {
     /// Symbol of the unit of a quantity, such as `N cm`, of one by depth `N cm/cm`; `-` without unit.
     pub fn symbol(&self, quantity: Quantity) -> String {
         let quantity = if self.by_depth { quantity.by_depth() } else { quantity };
-        let (length, force, time) = (self.length.symbol(), self.force.symbol(), self.time.symbol());
         match quantity {
-            Quantity::Ratio => "-".into(),
             Quantity::Angle => "rad".into(),
             // Either all three have a unit or none has.
             _ if self.length == Length::None => "-".into(),
-            Quantity::Length => length.into(),
-            Quantity::Force => force.into(),
-            Quantity::Time => time.into(),
-            Quantity::Rate => format!("1/{time}"),
-            Quantity::Energy => format!("{force} {length}"),
-            Quantity::Speed => format!("{length}/{time}"),
-            Quantity::Curvature => format!("1/{length}"),
-            Quantity::ForcePerLength => format!("{force}/{length}"),
-            Quantity::MomentPerLength => format!("{force} {length}/{length}"),
-            Quantity::Stress => format!("{force}/{length}²"),
-            Quantity::Area => format!("{length}²"),
-            Quantity::Volume => format!("{length}³"),
-            Quantity::Density => format!("{force} {time}²/{length}⁴"),
-            Quantity::Flux => format!("{length}³/{time}"),
-            Quantity::FluxByDepth => format!("{length}²/{time}"),
+            _ => quantity.form(self.length.symbol(), self.force.symbol(), self.time.symbol()),
         }
     }
 }

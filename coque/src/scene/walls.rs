@@ -3,6 +3,7 @@
 use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use sph_core::LineSide;
 
 use crate::scene::bounded::Positive;
 
@@ -65,16 +66,6 @@ pub struct Polyline {
     pub points: Vec<[f64; 2]>,
     /// Where the wall lies, seen along the line; the fluid is on the other side.
     pub side: LineSide,
-}
-
-/// Sides of a line, seen along it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum LineSide {
-    /// On the left.
-    Left,
-    /// On the right.
-    Right,
 }
 
 /// A surface from a file.

@@ -43,10 +43,10 @@ impl Dynamics for Chain {
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        let (half, last, mut work) = (0.5 * step.damping * step.kick, self.v.len() - 1, Work::default());
+        let (decay, last, mut work) = (step.decay(), self.v.len() - 1, Work::default());
         for (i, v) in self.v.iter_mut().enumerate() {
             let before = *v;
-            *v = (before * (1.0 - half) + step.kick * self.f[i]) / (1.0 + half);
+            *v = decay.kicked(before, step.kick * self.f[i]);
             let mean = 0.5 * (before + *v);
             work.kinetic += 0.5 * mean * mean;
             work.dissipated += step.damping * mean * mean * step.kick;

@@ -1,4 +1,4 @@
-//! What boundaries owe between two ends of a step; the work that comes of it is in work.rs.
+//! What boundaries owe between two ends of a step; the work that comes of it is in points.rs.
 
 /// What is known by particle of the boundary between two ends of a step.
 #[derive(Clone, Debug, Default)]

@@ -4,4 +4,3 @@ pub(crate) mod check;
 pub(crate) mod ledger;
 pub(crate) mod points;
 pub(crate) mod sides;
-pub(crate) mod work;

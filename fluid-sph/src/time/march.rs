@@ -13,7 +13,7 @@ use explicit_dynamics::{
 use parallel::reduced;
 use sph_core::Vec3;
 
-use crate::fluid::{CELL, Fluid};
+use crate::fluid::{CELL, Fluid, StepBounds};
 use crate::formulation::{Scheme, WallRule};
 use crate::ledger::Sums;
 use crate::start::outside;
@@ -98,15 +98,14 @@ impl Fluid {
     fn kick_velocities(&mut self, step: &Step) -> Sums {
         let kicks = self.formulation.scheme == Scheme::KickDriftKick;
         let kick = if kicks { step.kick } else { 0.0 };
-        let half = 0.5 * step.damping * kick;
-        let (before, after) = (1.0 - half, 1.0 / (1.0 + half));
+        let decay = Step { kick, ..*step }.decay();
         let Self { threads, present, accelerations, sorted, sums, gravity, .. } = self;
         let slots = &sorted.slots;
         reduced(*threads, &mut present.velocities[..], sums, |first, velocities: &mut [Vec3]| {
             let mut sums = Sums::default();
             for (velocity, &slot) in velocities.iter_mut().zip(&slots[first..]) {
                 let acceleration = Vec3::from(accelerations[slot as usize]);
-                let new = velocity.zip_map(&acceleration, |v, a| (v * before + kick * a) * after);
+                let new = velocity.zip_map(&acceleration, |v, a| decay.kicked(v, kick * a));
                 let change = new - *velocity;
                 sums.change += change.norm_squared();
                 sums.resisted += (*gravity - acceleration).dot(&change);
@@ -222,5 +221,34 @@ impl Fluid {
             return Err(OutOfRange { place, what, value, bound }.into());
         }
         Ok(())
+    }
+}
+
+/// Part of the step of a quiet column below which a step has collapsed.
+pub(super) const COLLAPSED: f64 = 1e-4;
+
+impl Fluid {
+    /// The step of the present state, times a safety; its forces are kept for the evaluation to come.
+    pub(super) fn find_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
+        self.refresh();
+        let h = self.momentum.kernel.h;
+        let quotient = |a: f64, b: f64| if b > 0.0 { a / b } else { f64::INFINITY };
+        let force = quotient(h, self.force_sum.square.sqrt()).sqrt();
+        let sound = h / self.force_sum.signal;
+        // Of laminar friction; of the fastest point of a boundary, which is not divided further.
+        let friction = quotient(0.125 * h * h, self.formulation.kinematic_viscosity);
+        let boundary = quotient(0.25 * h, self.boundary.speed());
+        self.bounds = StepBounds { force, sound };
+        // A bound that is no number must not vanish in a minimum: the fluid is refused by its bounds then.
+        let dt = safety * (self.formulation.courant * force.min(sound)).min(friction).min(boundary);
+        let good = dt > 0.0 && dt.is_finite() && !force.is_nan() && !sound.is_nan();
+        if good { Ok(StableStep { dt, holds: 1 }) } else { Err(MarchError::NoStableStep(dt)) }
+    }
+
+    /// Whether the last step was next to nothing; it and its bound \[T\].
+    pub(super) fn collapsed(&self) -> Option<(f64, f64)> {
+        let quiet = self.momentum.kernel.h / self.liquid.sound_speed;
+        let least = self.bounds.force.min(self.bounds.sound);
+        (least > 0.0 && least < COLLAPSED * quiet).then_some((least, COLLAPSED * quiet))
     }
 }

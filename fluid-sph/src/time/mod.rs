@@ -2,4 +2,3 @@
 
 mod march;
 mod predictor_corrector;
-mod step_size;

@@ -1,8 +1,9 @@
 //! What resists: bonds between nodes, or two sheets of bonds on directors.
 
+use implicit_statics::BlockPattern;
 use nalgebra::Matrix3;
 
-use super::couplings::{Coupling, Couplings};
+use super::couplings::Coupling;
 use super::network::Row;
 use crate::unknowns::Unknowns;
 
@@ -32,14 +33,14 @@ pub(crate) trait Mechanics: Send + Sync {
     fn break_from(&mut self, least: f64, share: f64, rows: &[Row]) -> f64;
 
     /// Pairs of rows with second derivatives, by all bonds, whole or broken.
-    fn couplings(&self) -> Couplings;
+    fn couplings(&self) -> BlockPattern;
 
     /// Second derivatives `∂²U/∂row∂row` at a state, one block a pair of the pattern; with a second state, the pulls of bonds
     /// are taken from there, all else from the first.
     fn second_derivatives(
         &self,
         states: (&[Row], Option<&[Row]>),
-        pattern: &Couplings,
+        pattern: &BlockPattern,
         blocks: &mut [Coupling],
         threads: usize,
     );

@@ -3,7 +3,7 @@
 use super::balance::Balance;
 use super::breaking::Breaking;
 use super::correction::weights;
-use super::couplings::{Coupling, Couplings};
+use super::couplings::Coupling;
 use super::faces::areas;
 use super::families::{Families, Nodes};
 use super::flatness::refuse_flat;
@@ -19,6 +19,7 @@ use crate::fracture::Breakage;
 use crate::material::Elastic;
 use crate::mirror::Mirror;
 use crate::unknowns::Unknowns;
+use implicit_statics::BlockPattern;
 use nalgebra::Matrix3;
 use sph_core::{Block, Vec3};
 
@@ -156,14 +157,14 @@ impl Mechanics for SolidBonds {
         breaking.break_from(&mut self.network, (least, share), rows, self.contact.as_ref())
     }
 
-    fn couplings(&self) -> Couplings {
+    fn couplings(&self) -> BlockPattern {
         self.network.couplings()
     }
 
     fn second_derivatives(
         &self,
         (rows, stressed): (&[Row], Option<&[Row]>),
-        pattern: &Couplings,
+        pattern: &BlockPattern,
         blocks: &mut [Coupling],
         threads: usize,
     ) {

@@ -11,33 +11,35 @@
 //! that counts (PMB, or λ = μ) only nodes with a bond do. Each row of blocks is gathered by its own node: any number of
 //! threads gives the same bits.
 
+use implicit_statics::BlockPattern;
 use rayon::prelude::*;
 use sph_core::Vec3;
 
-use super::couplings::{Coupling, Couplings, add_outer, transposed_product};
+use super::couplings::{Coupling, add_outer, transposed_product};
 use super::linearised::{Linearised, LinearisedBond};
 use super::network::Network;
 use crate::unknowns::Unknowns;
 
 impl Network {
     /// Pairs of nodes that share a block of second derivatives, by all bonds, whole or broken.
-    pub fn couplings(&self) -> Couplings {
+    pub fn couplings(&self) -> BlockPattern {
         let families: Vec<Vec<u32>> = (0..self.len()).map(|node| self.neighbours(node).collect()).collect();
         let wide = self.dilatation_factors().is_some();
-        Couplings::new(self.len(), |a, row| {
+        BlockPattern::new(self.len(), |a, row| {
             row.extend(&families[a]);
             if wide {
                 for &i in &families[a] {
                     row.extend(&families[i as usize]);
                 }
             }
+            row.retain(|&b| b as usize <= a);
         })
     }
 }
 
 impl Linearised<'_> {
     /// Second derivatives of the stored energy, one block a pair of the pattern of [`Network::couplings`].
-    pub fn second_derivatives(&self, pattern: &Couplings, blocks: &mut [Coupling], threads: usize) {
+    pub fn second_derivatives(&self, pattern: &BlockPattern, blocks: &mut [Coupling], threads: usize) {
         let mut rows = Vec::with_capacity(self.len());
         let mut left = blocks;
         for a in 0..self.len() {
@@ -47,7 +49,7 @@ impl Linearised<'_> {
         }
         let gradients = self.own_gradients();
         let gather = |places: &mut Vec<u32>, (a, row): (usize, &mut [Coupling])| {
-            for (place, &b) in pattern.columns[pattern.of(a)].iter().enumerate() {
+            for (place, &b) in pattern.columns(a).iter().enumerate() {
                 places[b as usize] = place as u32;
             }
             self.row(a, &gradients, places, row);

@@ -13,7 +13,6 @@
 //! γ vanishes for every deflection of the second degree with its normals. Higher ones leave of the order of r² in it, which a
 //! thin plate could not bear at ⅚ μ t: `r²/(12 D)` in series is the compliance that a strip of length r has in bending.
 
-mod breaking;
 mod columns;
 mod plate;
 mod rest_shape;

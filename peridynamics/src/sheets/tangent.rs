@@ -12,19 +12,20 @@
 use super::columns::Columns;
 use super::plate::Plate;
 use super::shear::Pair;
-use crate::bonds::couplings::{Coupling, Couplings, add_outer};
+use crate::bonds::couplings::{Coupling, add_outer};
 use crate::bonds::network::Row;
+use implicit_statics::BlockPattern;
 use sph_core::Vec3;
 
 impl Plate {
     /// Pairs of rows with second derivatives: of columns that share a bond or a dilatation in either sheet, or shear, all
     /// their rows.
-    pub fn pattern(&self) -> Couplings {
+    pub fn pattern(&self) -> BlockPattern {
         let [upper, lower] = self.sheets.each_ref().map(|sheet| sheet.network.couplings());
         let count = self.columns.rest.len();
         let mut joined: Vec<Vec<u32>> = vec![Vec::new(); count];
         for a in 0..count {
-            let of = |sheet: &Couplings| sheet.columns[sheet.of(a)].to_vec();
+            let of = |sheet: &BlockPattern| sheet.columns(a).to_vec();
             let shearing =
                 self.columns.shear.of(a).iter().map(|pair| self.columns.source(pair.other as usize).0 as u32);
             let mut before =
@@ -37,12 +38,13 @@ impl Plate {
             // What stands there already comes from columns before; later ones add themselves.
             joined[a].extend(before);
         }
-        Couplings::new(2 * count, |row, partners| {
+        BlockPattern::new(2 * count, |row, partners| {
             let of = &joined[row % count];
             partners.extend(of);
             if row >= count {
                 partners.extend(of.iter().map(|&b| b + count as u32));
             }
+            partners.retain(|&b| b as usize <= row);
         })
     }
 
@@ -50,42 +52,35 @@ impl Plate {
     pub fn hessian(
         &self,
         (rows, stressed): (&[Row], Option<&[Row]>),
-        pattern: &Couplings,
+        pattern: &BlockPattern,
         blocks: &mut [Coupling],
         threads: usize,
     ) {
         let count = self.columns.rest.len();
-        let of_places = Couplings {
-            offsets: pattern.offsets[..=count].to_vec(),
-            columns: pattern.columns[..pattern.offsets[count] as usize].to_vec(),
-        };
+        let of_places = pattern.of(count).start;
         let [upper, lower] = [1.0, -1.0].map(|side| {
             let sheet = &self.sheets[usize::from(side < 0.0)];
             let points = |rows: &[Row]| self.columns.points(rows, side);
             let (here, there) = (points(rows), stressed.map(points));
-            let mut out = vec![[[0.0; 3]; 3]; of_places.columns.len()];
+            let mut out = vec![[[0.0; 3]; 3]; of_places];
             let linearised = sheet.network.linearised(&here, there.as_deref());
-            linearised.second_derivatives(&of_places, &mut out, threads);
+            linearised.second_derivatives(pattern, &mut out, threads);
             out
         });
         let z = self.columns.height;
-        for row in 0..2 * count {
-            for block in pattern.of(row) {
-                let (a, b) = (row % count, pattern.columns[block] as usize);
-                let (first, second) = (a.max(b % count), a.min(b % count));
-                let number = of_places.place(first, second as u32);
-                let (up, down) = (&upper[number], &lower[number]);
-                let swapped = a < b % count;
-                for i in 0..3 {
-                    for j in 0..3 {
-                        let (i_of, j_of) = if swapped { (j, i) } else { (i, j) };
-                        let (up, down) = (up[i_of][j_of], down[i_of][j_of]);
-                        blocks[block][i][j] = match (row >= count, b >= count) {
-                            (false, _) => up + down,
-                            (true, false) => z * (up - down),
-                            (true, true) => z * z * (up + down),
-                        };
-                    }
+        for (row, column, block) in pattern.pairs() {
+            let (a, b) = (row % count, column % count);
+            let Some(number) = pattern.find(a.max(b) as u32, a.min(b) as u32) else { continue };
+            let (up, down) = (&upper[number], &lower[number]);
+            for i in 0..3 {
+                for j in 0..3 {
+                    let (i_of, j_of) = if a < b { (j, i) } else { (i, j) };
+                    let (up, down) = (up[i_of][j_of], down[i_of][j_of]);
+                    blocks[block][i][j] = match (row >= count, column >= count) {
+                        (false, _) => up + down,
+                        (true, false) => z * (up - down),
+                        (true, true) => z * z * (up + down),
+                    };
                 }
             }
         }
@@ -109,7 +104,7 @@ impl Plate {
 /// Blocks to which columns and their pairs are added.
 struct Sum<'a> {
     columns: &'a Columns,
-    pattern: &'a Couplings,
+    pattern: &'a BlockPattern,
     blocks: &'a mut [Coupling],
 }
 
@@ -155,6 +150,7 @@ impl Sum<'_> {
     }
 
     fn block(&mut self, row: usize, column: usize) -> &mut Coupling {
-        &mut self.blocks[self.pattern.place(row, column as u32)]
+        let place = self.pattern.columns(row).partition_point(|&b| (b as usize) < column);
+        &mut self.blocks[self.pattern.of(row).start + place]
     }
 }

@@ -4,11 +4,11 @@ use std::cell::OnceCell;
 use std::ops::DerefMut;
 
 use explicit_dynamics::Instant;
-use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
+use implicit_statics::{BlockPattern, Equilibrium, OutOfBounds, row_sums};
 use sph_core::{Vec3, fitted_spins};
 
 use crate::Solid;
-use crate::bonds::couplings::{Coupling, Couplings, product, transposed_product};
+use crate::bonds::couplings::{Coupling, product, transposed_product};
 use crate::bonds::network::Row;
 use crate::solid::vector;
 use crate::unknowns::Unknowns;
@@ -25,7 +25,7 @@ pub struct StaticSolid<S = Box<Solid>> {
     solid: S,
     unknowns: Unknowns,
     /// Which rows couple; found when a tangent is first asked for.
-    couplings: OnceCell<Couplings>,
+    couplings: OnceCell<BlockPattern>,
     /// Rows with a prescribed displacement.
     moved: Vec<u32>,
 }
@@ -75,43 +75,30 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         weights
     }
 
-    fn couplings(&self) -> &Couplings {
+    fn couplings(&self) -> &BlockPattern {
         self.couplings.get_or_init(|| self.solid.mechanics.couplings())
     }
 
     /// Second derivatives of the stored energy at the present state, with the stresses of another one if it is given.
     fn blocks(&mut self, stressed: Option<&[Row]>) -> Vec<Coupling> {
-        let mut blocks = vec![[[0.0; 3]; 3]; self.couplings().columns.len()];
+        let mut blocks = vec![[[0.0; 3]; 3]; self.couplings().blocks()];
         let solid = &*self.solid;
         let pattern = self.couplings();
         solid.mechanics.second_derivatives((&solid.rows, stressed), pattern, &mut blocks, solid.threads);
         blocks
     }
 
-    /// Visits pairs of unknowns `(row, column ≤ row)` that share a block; tells the number of the block.
-    fn pairs(&self, mut visit: impl FnMut(usize, usize, usize)) {
-        let couplings = self.couplings();
-        for a in 0..couplings.len() {
-            for block in couplings.of(a) {
-                let b = couplings.columns[block] as usize;
-                for row in self.unknowns.of(a) {
-                    for column in self.unknowns.of(b).filter(|&column| column <= row) {
-                        visit(block, row, column);
-                    }
-                }
-            }
-        }
+    /// Block, row and column of the entries between the unknowns, in the order of the pattern.
+    fn entries(&self) -> impl Iterator<Item = (usize, usize, usize)> {
+        self.couplings().entries(|row| self.unknowns.of(row))
     }
 
     /// Entries between the unknowns from the blocks, in the order of the pattern.
     fn assemble(&self, blocks: &[Coupling], values: &mut [f64]) {
-        let mut next = values.iter_mut();
-        self.pairs(|block, row, column| {
+        for ((block, row, column), value) in self.entries().zip(values) {
             let (left, right) = (self.unknowns.direction(row), self.unknowns.direction(column));
-            if let Some(slot) = next.next() {
-                *slot = left.dot(&product(&blocks[block], right));
-            }
-        });
+            *value = left.dot(&product(&blocks[block], right));
+        }
     }
 
     /// How far each node turns with a motion, what is prescribed going from one level to another.
@@ -127,8 +114,8 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         for &row in self.moved.iter().filter(|&&row| (row as usize) < nodes) {
             velocities[row as usize] += self.prescribed_rate(row as usize) * (to - from);
         }
-        let of = |a: usize| couplings.of(a).map(move |block| (a, couplings.columns[block] as usize));
-        fitted_spins(&positions, &velocities, (0..nodes).flat_map(of))
+        let pairs = couplings.pairs().take_while(|&(a, _, _)| a < nodes);
+        fitted_spins(&positions, &velocities, pairs.map(|(a, b, _)| (a, b)))
     }
 
     /// Puts prescribed values where a level has them.
@@ -162,14 +149,10 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         }
         let mut rows: Vec<Vec3> = (0..count).map(|row| self.solid.external_force(row)).collect();
         let blocks = self.blocks(None);
-        let couplings = self.couplings();
-        for a in 0..count {
-            for number in couplings.of(a) {
-                let (b, block) = (couplings.columns[number] as usize, &blocks[number]);
-                rows[a] -= product(block, &rates[b]);
-                if a != b {
-                    rows[b] -= transposed_product(block, &rates[a]);
-                }
+        for (a, b, number) in self.couplings().pairs() {
+            rows[a] -= product(&blocks[number], &rates[b]);
+            if a != b {
+                rows[b] -= transposed_product(&blocks[number], &rates[a]);
             }
         }
         rows
@@ -182,9 +165,7 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
     }
 
     fn pattern(&self) -> Vec<(usize, usize)> {
-        let mut out = Vec::new();
-        self.pairs(|_, row, column| out.push((row, column)));
-        out
+        self.entries().map(|(_, row, column)| (row, column)).collect()
     }
 
     fn internal(&mut self, level: f64, out: &mut [f64]) {

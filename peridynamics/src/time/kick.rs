@@ -21,19 +21,17 @@ impl Kick<'_> {
     /// Kicks a chunk of rows, and with `DRIFT` moves them.
     fn chunk<const DRIFT: bool>(&self, first: usize, rates: &mut [Row], rows: &mut [Row]) -> Work {
         let Self { step, masses, internal, external, constraints } = *self;
-        let half = 0.5 * step.damping * step.kick;
-        let (before, after) = (1.0 - half, 1.0 / (1.0 + half));
-        let dt = step.drift();
+        let (decay, dt) = (step.decay(), step.drift());
         let mut work = Work::default();
         for (i, (rate, place)) in rates.iter_mut().zip(rows).enumerate() {
             let row = first + i;
             let mass = masses[row];
             let external = external.get(row).copied().unwrap_or_default();
             let (force, old) = (external - vector(&internal[row]), vector(rate));
-            let mut new = (old * before + force * (step.kick / mass)) * after;
+            let mut new = (old * decay.before + force * (step.kick / mass)) * decay.after;
             let mut prescribed = false;
             if let Some(constraint) = constraints.get(row) {
-                new = constraint.free_part(new.into()).into();
+                new = constraint.held.free_part(new.into()).into();
                 if constraint.moves() {
                     new += constraint.velocity(step);
                 }
@@ -48,9 +46,8 @@ impl Kick<'_> {
             work.kinetic += 0.5 * mass * mean.norm_squared();
             work.external += step.kick * external.dot(&mean);
             if prescribed {
-                // The impulse of a support that moves its row is what the balance of the row lacks.
-                let impulse = (new - old) * mass + (mean * (mass * step.damping) - force) * step.kick;
-                work.external += impulse.dot(&mean);
+                let impulse = |k: usize| step.support_impulse(mass, [old[k], new[k]], force[k]);
+                work.external += Vec3::from_fn(|k, _| impulse(k)).dot(&mean);
             }
             rate[..3].copy_from_slice(new.as_slice());
             if DRIFT {

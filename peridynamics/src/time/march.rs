@@ -1,14 +1,18 @@
-//! A peridynamic body as a system of `explicit-dynamics`: forces and breaking, kick, drift, stable step and bounds.
+//! A peridynamic body as a system of `explicit-dynamics`: forces and breaking, kick, drift, stable step and bounds; in mass-scaled
+//! coordinates its tangent applied to a vector; as a structure that a fluid wets.
 
 use explicit_dynamics::{
-    Bounds, Dynamics, Instant, MarchError, MassScaled, OutOfBounds, StableStep, Step, Work, lanczos_step,
+    BoundaryLayout, BoundaryLoad, BoundaryState, Bounds, Dynamics, Instant, LinearisedDynamics, MarchError,
+    MassScaled, OutOfBounds, StableStep, Step, Wetted, Work, lanczos_step,
 };
 use sph_core::Vec3;
 
 use crate::Solid;
 use crate::bonds::mechanics::Evaluation;
 use crate::bonds::network::Row;
+use crate::error::SolidError;
 use crate::solid::vector;
+use crate::wetted::Surface;
 
 impl Dynamics for Solid {
     /// Bonds break once a step, after the forces of this step were found with them.
@@ -93,6 +97,109 @@ impl Solid {
 
     /// The vector without what supports of a row hold.
     pub(crate) fn free_part(&self, row: usize, v: Vec3) -> Vec3 {
-        self.constraints.get(row).map_or(v, |constraint| constraint.free_part(v.into()).into())
+        self.constraints.get(row).map_or(v, |constraint| constraint.held.free_part(v.into()).into())
+    }
+}
+
+impl LinearisedDynamics for Solid {
+    fn unknowns(&self) -> usize {
+        3 * self.rows.len()
+    }
+
+    fn apply(&mut self, v: &[f64], out: &mut [f64]) {
+        let scaled = |row: usize| self.scaled(row, Vec3::new(v[3 * row], v[3 * row + 1], v[3 * row + 2]));
+        let mut along: Vec<Row> = (0..self.rows.len()).map(|row| scaled(row).push(0.0).into()).collect();
+        self.mechanics.tangent(&mut self.rows, &mut along, &mut self.internal, self.threads);
+        for (row, out) in out.chunks_exact_mut(3).enumerate() {
+            let scaled = self.scaled(row, vector(&self.internal[row]));
+            out.copy_from_slice(scaled.as_slice());
+        }
+    }
+}
+
+impl MassScaled for Solid {
+    fn out_of_balance(&self, out: &mut [f64]) {
+        for (row, out) in out.chunks_exact_mut(3).enumerate() {
+            let external = self.external.get(row).copied().unwrap_or_default();
+            let scaled = self.scaled(row, external - vector(&self.internal[row]));
+            out.copy_from_slice(scaled.as_slice());
+        }
+    }
+
+    fn rates(&self, out: &mut [f64]) {
+        for (row, out) in out.chunks_exact_mut(3).enumerate() {
+            let scaled = vector(&self.rates[row]) * self.masses[row].sqrt();
+            out.copy_from_slice(scaled.as_slice());
+        }
+    }
+
+    fn displaced(&self) -> f64 {
+        let square =
+            |row: usize| self.masses[row] * (vector(&self.rows[row]) - self.rest[row]).norm_squared();
+        (0..self.rows.len()).map(square).sum::<f64>().sqrt()
+    }
+}
+
+impl Solid {
+    /// `M^{-½} v` of a row, without what supports hold.
+    fn scaled(&self, row: usize, v: Vec3) -> Vec3 {
+        self.free_part(row, v) / self.masses[row].sqrt()
+    }
+}
+
+/// The boundary of a solid that is dry.
+static DRY: BoundaryLayout = BoundaryLayout { points: 0, areas: Vec::new(), thin: None };
+
+impl Solid {
+    /// Puts the solid into a fluid, which acts on its nodes from now on; they should be as far apart as the particles of the
+    /// fluid. In a plane forces per depth act on its thickness.
+    ///
+    /// # Errors
+    /// [`SolidError::WetSheets`] for a plate of two sheets.
+    pub fn wet(&mut self) -> Result<(), SolidError> {
+        if self.rest.len() > self.block.len() {
+            return Err(SolidError::WetSheets);
+        }
+        if self.external.is_empty() {
+            self.external = vec![Vec3::zeros(); self.rest.len()];
+        }
+        self.wetted = Some(Box::new(Surface::new(&self.block)));
+        Ok(())
+    }
+}
+
+impl Wetted for Solid {
+    fn boundary_layout(&self) -> &BoundaryLayout {
+        self.wetted.as_ref().map_or(&DRY, |surface| &surface.layout)
+    }
+
+    fn boundary(&self, out: &mut BoundaryState) {
+        match &self.wetted {
+            Some(surface) => surface.places(&self.rows, out),
+            None => *out = BoundaryState::default(),
+        }
+    }
+
+    fn apply_load(&mut self, load: &BoundaryLoad<'_>) {
+        if let Some(surface) = &mut self.wetted {
+            surface.take(&self.rows, load);
+        }
+    }
+
+    fn impedance_impulses(&self, span: f64, impulses: &mut [[f64; 3]]) {
+        if let Some(surface) = &self.wetted {
+            surface.impedance_impulses(&self.rates, span, impulses);
+        }
+    }
+
+    fn boundary_velocities(&self, out: &mut Vec<[f64; 3]>) {
+        out.clear();
+        if self.wetted.is_some() {
+            out.extend(self.rates.iter().map(|rate| [rate[0], rate[1], rate[2]]));
+        }
+    }
+
+    fn particles(&self) -> usize {
+        self.len()
     }
 }

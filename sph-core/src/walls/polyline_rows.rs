@@ -22,12 +22,17 @@ const ROUNDING: f64 = 1e-7;
 /// Halvings of a step that find the end of what is free: to 4e-9 of the spacing.
 const BISECTIONS: usize = 24;
 
-/// On which hand of a polyline its wall lies, for one who goes along its points.
+/// Sides of a line, seen along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WallSide {
-    /// On the left, the fluid on the right.
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case")
+)]
+pub enum LineSide {
+    /// On the left.
     Left,
-    /// On the right, the fluid on the left.
+    /// On the right.
     Right,
 }
 
@@ -44,7 +49,7 @@ pub enum WallSide {
 /// [`SpaceError::Coincident`] for two points in a row at the same place.
 pub fn polyline_rows(
     points: &[[f64; 2]],
-    side: WallSide,
+    side: LineSide,
     spacing: f64,
     rows: usize,
 ) -> Result<Vec<Vec3>, SpaceError> {
@@ -69,7 +74,7 @@ pub fn polyline_rows(
 /// As [`polyline_rows`].
 pub fn polyline_first_row(
     points: &[[f64; 2]],
-    side: WallSide,
+    side: LineSide,
     spacing: f64,
 ) -> Result<Vec<Vec3>, SpaceError> {
     let polyline = Polyline::new(points, side, spacing, 1)?;
@@ -98,7 +103,7 @@ struct Polyline {
 }
 
 impl Polyline {
-    fn new(points: &[[f64; 2]], side: WallSide, spacing: f64, rows: usize) -> Result<Self, SpaceError> {
+    fn new(points: &[[f64; 2]], side: LineSide, spacing: f64, rows: usize) -> Result<Self, SpaceError> {
         check(spacing, rows)?;
         if points.len() < 2 {
             return Err(SpaceError::TooFew { what: "points of a polyline", found: points.len(), needed: 2 });
@@ -120,7 +125,7 @@ impl Polyline {
             }
             let along = (to - from) / distance;
             let left = Vec3::new(-along.y, along.x, 0.0);
-            let normal = if side == WallSide::Left { left } else { -left };
+            let normal = if side == LineSide::Left { left } else { -left };
             segments.push(Segment { from, to, along, normal });
             length += distance;
         }

@@ -1,7 +1,7 @@
 //! What the supports of a particle or of a rigid body prescribe: over a step, and by level.
 
 use explicit_dynamics::{Instant, Step};
-use sph_core::Vec3;
+use sph_core::{HeldDirections, Vec3};
 
 use crate::conditions::case::LoadCase;
 use crate::conditions::prescribed::{Motion, Rotation};
@@ -46,12 +46,11 @@ impl Constraint {
     /// What is prescribed by level, if anything is.
     pub(crate) fn prescribed(&self) -> Option<Prescribed<'_>> {
         let (motion, rotation) = (self.motion.as_ref(), self.rotation.as_ref());
-        let held = &self.held[..self.count];
         (motion.is_some() || rotation.is_some()).then_some(Prescribed {
             rest: self.rest,
             motion,
             rotation,
-            held,
+            held: &self.held,
         })
     }
 }
@@ -62,8 +61,8 @@ pub(crate) struct Prescribed<'a> {
     pub rest: (Vec3, Vec3),
     pub motion: Option<&'a Motion>,
     pub rotation: Option<&'a Rotation>,
-    /// Orthonormal directions in which the position is held.
-    pub held: &'a [Vec3],
+    /// Directions in which the position is held.
+    pub held: &'a HeldDirections,
 }
 
 impl Prescribed<'_> {
@@ -72,10 +71,7 @@ impl Prescribed<'_> {
         let at = Instant { time: 0.0, level };
         if let Some(motion) = self.motion {
             let rest = self.rest.0 + motion.at(&self.rest.0, at, under_way);
-            for n in self.held {
-                let missing = n.dot(&(rest - Vec3::new(row[0], row[1], row[2])));
-                (0..3).for_each(|k| row[k] += missing * n[k]);
-            }
+            self.held.put(&rest, row);
         }
         if let Some(rotation) = self.rotation {
             let d = rotation.at(&self.rest.1, at, under_way);

@@ -80,8 +80,8 @@ impl Shell {
                 let ([fx, fy, fz, tx, ty, tz], d) = (*row, Vec3::new(state[3], state[4], state[5]));
                 let (force, couple) = ([fx, fy, fz], Vec3::new(tx, ty, tz));
                 let across: [f64; 3] = (couple - d * d.dot(&couple)).into();
-                let free = self.constraint(a).map_or((force, across), |held| {
-                    (held.free_translation(force), held.free_rotation(across))
+                let free = self.constraint(a).map_or((force, across), |constraint| {
+                    (constraint.held.free_part(force), constraint.free_rotation(across))
                 });
                 for (sum, (whole, free)) in sums.iter_mut().zip([(force, free.0), (couple.into(), free.1)]) {
                     sum[0] += Vec3::from(whole).norm();
@@ -92,8 +92,8 @@ impl Shell {
                 let own = group.body.as_ref().and_then(|body| load.on_body(body.number, body.mass));
                 let Some([force, couple]) = own else { continue };
                 touched += group.particles.len();
-                let free = self.constraint(group.first()).map_or((force, couple), |held| {
-                    (held.free_translation(force.into()).into(), held.free_spin(couple))
+                let free = self.constraint(group.first()).map_or((force, couple), |constraint| {
+                    (constraint.held.free_part(force.into()).into(), constraint.free_spin(couple))
                 });
                 for (sum, (whole, free)) in sums.iter_mut().zip([(force, free.0), (couple, free.1)]) {
                     sum[0] += whole.norm();
@@ -125,7 +125,7 @@ impl Shell {
             sum.moment += Vec3::new(row[3], row[4], row[5]);
         }
         for a in 0..self.len() {
-            let Some(held) = self.constraint(a) else { continue };
+            let Some(constraint) = self.constraint(a) else { continue };
             let lack = |a: usize| -> [f64; 6] {
                 let (internal, external) = (self.internal_force(a), self.external_force(a));
                 std::array::from_fn(|k| internal[k] - external[k])
@@ -133,19 +133,19 @@ impl Shell {
             let (sum_of, load) = (self.gathered(a, lack), self.dependents.junctions.body_load(a));
             let [fx, fy, fz, tx, ty, tz] = std::array::from_fn(|k| sum_of[k] - load[k]);
             let (force, couple) = ([fx, fy, fz], Vec3::new(tx, ty, tz));
-            let force = Vec3::from(force) - Vec3::from(held.free_translation(force));
+            let force = Vec3::from(force) - Vec3::from(constraint.held.free_part(force));
             let arm = self.motion.place(a) - about;
             if let Some(group) = self.dependents.junctions.of(a) {
                 // A group bears a torque: of the moment about its pole what the force at the reference point of a body leaves.
                 sum.add(group.pole(&self.motion.state) - about, force, Vec3::zeros(), Vec3::zeros());
                 let swung =
                     group.lever(&self.motion.state).map_or(Vec3::zeros(), |lever| lever.torque(&force));
-                sum.moment += couple - held.free_spin(couple - swung);
+                sum.moment += couple - constraint.free_spin(couple - swung);
                 continue;
             }
             let d = self.director(a);
             let across: [f64; 3] = (couple - d * d.dot(&couple)).into();
-            sum.add(arm, force, d, Vec3::from(across) - Vec3::from(held.free_rotation(across)));
+            sum.add(arm, force, d, Vec3::from(across) - Vec3::from(constraint.free_rotation(across)));
         }
         sum
     }

@@ -1,7 +1,7 @@
 //! Supports: clamp, hinge, symmetry plane, diaphragm, directions held, prescribed motion and rotation; what they leave free.
 
 use explicit_dynamics::Amplitude;
-use sph_core::Vec3;
+use sph_core::{HeldDirections, Vec3};
 
 use crate::conditions::case::LoadCase;
 use crate::conditions::prescribed::{Motion, Rotation};
@@ -171,9 +171,8 @@ fn axes() -> Vec<Vec3> {
 /// All that the supports of one particle ask of it, ready for the step.
 #[derive(Clone, Debug)]
 pub(crate) struct Constraint {
-    /// Orthonormal held directions, three slots, `count` in use.
-    pub(super) held: [Vec3; 3],
-    pub(super) count: usize,
+    /// Directions in which the position is held.
+    pub(crate) held: HeldDirections,
     pub(crate) director: DirectorHold,
     pub(super) motion: Option<Motion>,
     pub(super) rotation: Option<Rotation>,
@@ -186,19 +185,18 @@ pub(crate) struct Constraint {
 impl Constraint {
     /// Nothing moves: of a particle that hangs on others and is put where they are.
     pub(crate) fn still(rest: (Vec3, Vec3)) -> Self {
-        let held = [Vec3::x(), Vec3::y(), Vec3::z()];
-        let director = DirectorHold::Fixed;
-        Self { held, count: 3, director, motion: None, rotation: None, rest, tied: false }
+        let (held, director) = (HeldDirections::all(), DirectorHold::Fixed);
+        Self { held, director, motion: None, rotation: None, rest, tied: false }
     }
 
     /// Whether what is asked of another particle is asked of this one as well.
     pub(crate) fn implies(&self, other: &Self) -> bool {
-        let held = |n: &Vec3| Vec3::from(self.free_translation((*n).into())).norm() < 1e-9;
+        let held = |n: &Vec3| Vec3::from(self.held.free_part((*n).into())).norm() < 1e-9;
         let director = other.director == DirectorHold::Free
             || self.director == DirectorHold::Fixed
             || join_directors(self.director, other.director) == self.director;
-        let moved = other.count == 0 || self.motion == other.motion;
-        other.held[..other.count].iter().all(held) && director && moved && self.rotation == other.rotation
+        let moved = other.held.basis().is_empty() || self.motion == other.motion;
+        other.held.basis().iter().all(held) && director && moved && self.rotation == other.rotation
     }
 
     /// Joins what several supports, by their numbers, ask of particle `particle` with a position and director at rest.
@@ -208,8 +206,7 @@ impl Constraint {
         asked: &[(usize, Holds)],
     ) -> Result<Self, ShellError> {
         let mut out = Self {
-            held: [Vec3::zeros(); 3],
-            count: 0,
+            held: HeldDirections::default(),
             director: DirectorHold::Free,
             motion: None,
             rotation: rotation(particle, asked)?,
@@ -218,7 +215,7 @@ impl Constraint {
         };
         for (_, hold) in asked {
             for direction in &hold.translations {
-                out.hold(direction);
+                out.held.hold(direction);
             }
             out.director = join_directors(out.director, hold.director);
             if let Some(motion) = &hold.motion {
@@ -244,31 +241,6 @@ impl Constraint {
         Ok(out)
     }
 
-    fn hold(&mut self, direction: &Vec3) {
-        let mut rest = *direction;
-        for known in &self.held[..self.count] {
-            rest -= known * known.dot(&rest);
-        }
-        // Directions closer than this to the span of the others add nothing but round-off.
-        if self.count < 3 && rest.norm() > 1e-9 {
-            self.held[self.count] = rest.normalize();
-            self.count += 1;
-        }
-    }
-
-    /// Takes the held part out of a translational vector.
-    #[inline]
-    pub(crate) fn free_translation(&self, v: [f64; 3]) -> [f64; 3] {
-        let mut v = v;
-        for n in &self.held[..self.count] {
-            let along = v[0] * n.x + v[1] * n.y + v[2] * n.z;
-            for i in 0..3 {
-                v[i] -= along * n[i];
-            }
-        }
-        v
-    }
-
     /// Takes the held part out of a vector tangent to the director's sphere.
     #[inline]
     pub(crate) fn free_rotation(&self, v: [f64; 3]) -> [f64; 3] {
@@ -280,11 +252,6 @@ impl Constraint {
                 [v[0] - along * n.x, v[1] - along * n.y, v[2] - along * n.z]
             }
         }
-    }
-
-    /// Orthonormal directions in which the position is held.
-    pub(crate) fn held(&self) -> &[Vec3] {
-        &self.held[..self.count]
     }
 }
 
@@ -325,24 +292,6 @@ impl Constraint {
             DirectorHold::InPlane(_) => 1 + usize::from(self.tied),
             DirectorHold::Fixed => 2 + usize::from(self.tied),
         };
-        self.count + rotations
-    }
-
-    /// Number of held translations.
-    pub(crate) fn held_translations(&self) -> usize {
-        self.count
-    }
-
-    /// Orthonormal directions in which the particle may move.
-    pub(crate) fn free_directions(&self) -> Vec<Vec3> {
-        let mut basis: Vec<Vec3> = self.held[..self.count].to_vec();
-        for axis in axes() {
-            let rest = basis.iter().fold(axis, |rest, known| rest - known * known.dot(&rest));
-            // At least one axis of three is this far from the span of one or two directions.
-            if rest.norm() > 0.5 && basis.len() < 3 {
-                basis.push(rest.normalize());
-            }
-        }
-        basis.split_off(self.count)
+        self.held.basis().len() + rotations
     }
 }

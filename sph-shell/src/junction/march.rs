@@ -7,9 +7,9 @@ use explicit_dynamics::{Step, Work};
 use sph_core::Vec3;
 
 use crate::conditions::constraints::Constraints;
-use crate::conditions::supports::{Constraint, DirectorHold};
-use crate::decay::Decay;
-use crate::junction::group::{Group, Junctions, director};
+use crate::conditions::supports::DirectorHold;
+use crate::junction::group::{Junctions, director};
+use crate::junction::kick::Kick;
 use crate::motion::Moving;
 use crate::packs::Row;
 
@@ -74,56 +74,4 @@ impl Junctions {
             group.particles.iter().for_each(|&a| rates[a as usize] = [0.0; 6]);
         }
     }
-}
-
-/// The kick of one group: force and torque `f`, of which `external` by loads, on the motion `[v, ω]` it has.
-pub(super) struct Kick<'a> {
-    pub group: &'a Group,
-    pub state: &'a [Row],
-    pub f: Row,
-    pub external: Row,
-    pub old: Row,
-    pub step: &'a Step,
-}
-
-impl Kick<'_> {
-    /// `[v, ω]` after the kick, by the rule of every particle; kinetic energy and external work are added to `work`.
-    fn new_motion(&self, constraint: Option<&Constraint>, work: &mut Work) -> Row {
-        let Self { group, f, external, old, step, .. } = self;
-        if let Some(body) = &group.body {
-            return self.of_body(body, constraint, work);
-        }
-        let (kick, decay) = (step.kick, Decay::of(step));
-        let mass = |k: usize| if k < 3 { group.mass } else { group.inertia };
-        let mut new: Row = std::array::from_fn(|k| decay.kicked(old[k], kick / mass(k) * f[k]));
-        let mut prescribed = [false; 2];
-        if let Some(constraint) = constraint {
-            (new, prescribed) = held(constraint, new, step);
-        }
-        let mean: Row = std::array::from_fn(|k| 0.5 * (old[k] + new[k]));
-        for k in 0..6 {
-            work.kinetic += 0.5 * mass(k) * mean[k] * mean[k];
-            work.external += kick * external[k] * mean[k];
-            let change = new[k] - old[k];
-            work.change += 0.5 * mass(k) * change * change;
-            work.resisted += kick * (external[k] - f[k]) * change;
-            if prescribed[k / 3] || kick == 0.0 {
-                let impulse = mass(k) * (new[k] - old[k]) + kick * (mass(k) * step.damping * mean[k] - f[k]);
-                work.external += impulse * mean[k];
-            }
-        }
-        new
-    }
-}
-
-/// A motion without what supports hold and with what they prescribe; whether they prescribe velocity and spin.
-fn held(constraint: &Constraint, new: Row, step: &Step) -> (Row, [bool; 2]) {
-    let mut v = constraint.free_translation([new[0], new[1], new[2]]);
-    let moved = constraint.velocity(step);
-    if let Some(moved) = moved {
-        (0..3).for_each(|k| v[k] += moved[k]);
-    }
-    let turned = constraint.spin(step);
-    let w = turned.unwrap_or_else(|| constraint.free_spin(director(&new)));
-    ([v[0], v[1], v[2], w.x, w.y, w.z], [moved.is_some(), turned.is_some()])
 }

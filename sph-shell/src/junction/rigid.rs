@@ -210,7 +210,7 @@ impl Bodies<'_> {
             upright,
             far,
             rest: triad,
-            held: constraint.held().iter().map(|n| n * n.transpose()).sum(),
+            held: constraint.held.basis().iter().map(|n| n * n.transpose()).sum(),
             marching: in_triad(tensor(&marching)),
             modal: in_triad(tensor(&turning)),
             number,

@@ -88,7 +88,7 @@ impl Scaled<'_> {
         let Some(constraint) = self.constraint else { return row };
         let Some(body) = &group.body else {
             let [v, w] = halves(&row);
-            let (v, w) = (constraint.free_translation(v.into()), constraint.free_spin(w));
+            let (v, w) = (constraint.held.free_part(v.into()), constraint.free_spin(w));
             return [v[0], v[1], v[2], w.x, w.y, w.z];
         };
         let arm = body.arm(&group.triad(self.state));
@@ -101,7 +101,7 @@ impl Scaled<'_> {
             }
             DirectorHold::Fixed => [Some(x), Some(y), Some(z)],
         };
-        let places = constraint.held().iter().map(|n| (*n, arm.cross(n)));
+        let places = constraint.held.basis().iter().map(|n| (*n, arm.cross(n)));
         let all = places.chain(turns.into_iter().flatten().map(|e| (Vec3::zeros(), e)));
         let (mut basis, mut count) = ([Vector6::zeros(); 6], 0);
         for (n, moment) in all {

@@ -10,6 +10,7 @@
 //! For a rotation about e alone g = e. The angle is that of less than half a turn. A spring between two reference points exerts a force on
 //! each, which is counted with the loads on the body: their second variation is that of a dead force.
 
+use implicit_statics::BlockPattern;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector6};
 use sph_core::Vec3;
 
@@ -19,7 +20,6 @@ use crate::error::ShellError;
 use crate::junction::group::{Group, Junctions};
 use crate::packs::Row;
 use crate::reference::Reference;
-use crate::statics::blocks::BlockPattern;
 
 /// The twist of a body about an axis.
 struct Twist {

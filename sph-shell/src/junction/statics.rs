@@ -1,5 +1,6 @@
 //! Groups without time: six unknowns each, their place among the blocks of the tangent, and their motion.
 
+use implicit_statics::BlockPattern;
 use std::ops::DerefMut;
 
 use nalgebra::Matrix3;
@@ -10,7 +11,6 @@ use crate::conditions::loads::Block;
 use crate::conditions::supports::{Constraint, DirectorHold};
 use crate::junction::group::{Group, Junctions, director, place};
 use crate::packs::Row;
-use crate::statics::blocks::BlockPattern;
 use crate::statics::dofs::Basis;
 use crate::statics::static_shell::StaticShell;
 
@@ -42,12 +42,6 @@ impl Junctions {
         if self.is_empty() {
             return;
         }
-        let pairs = || {
-            (0..state.len()).flat_map(|a| {
-                let row = pattern.offsets[a] as usize..pattern.offsets[a + 1] as usize;
-                row.map(move |number| (a, pattern.columns[number] as usize, number))
-            })
-        };
         let arms = self.arms(state);
         let levers: Vec<_> = self.groups.iter().map(|group| group.lever(state)).collect();
         // What a force on a particle adds to the torque that is conjugate to the rotation.
@@ -56,7 +50,7 @@ impl Junctions {
             let lever = self.number(a).and_then(|number| levers[number]);
             lever.map_or(own, |lever| own - lever.torque(&force))
         };
-        for (a, b, number) in pairs() {
+        for (a, b, number) in pattern.pairs() {
             let block = &mut blocks[number];
             if self.of(a).is_some() {
                 let d = director(&state[a]);
@@ -74,7 +68,7 @@ impl Junctions {
                 }
             }
         }
-        for (a, b, number) in pairs() {
+        for (a, b, number) in pattern.pairs() {
             let (row, column) = (self.first(a), self.first(b));
             if (row, column) == (a, b) {
                 continue;
@@ -134,7 +128,7 @@ impl Group {
         let Some(constraint) = constraint.filter(|_| self.first() == particle) else {
             return basis;
         };
-        for direction in constraint.free_directions() {
+        for direction in constraint.held.free() {
             basis.push(direction);
         }
         basis.move_first(basis.count);

@@ -1,5 +1,6 @@
 //! Which pairs of particles share a block of the tangent, and where the pairs of each sampling point lie among them.
 
+use implicit_statics::BlockPattern;
 use shell_kinematics::LANES;
 
 use crate::Shell;
@@ -26,11 +27,11 @@ impl Target {
     }
 }
 
-/// Which pairs of particles (row not below column) share a block, row by row.
+/// The blocks of a shell and where its points find theirs.
 #[derive(Clone, Debug)]
-pub(crate) struct BlockPattern {
-    pub offsets: Vec<u32>,
-    pub columns: Vec<u32>,
+pub(crate) struct ShellPattern {
+    /// Pairs of particles, the first not before the second.
+    pub pairs: BlockPattern,
     /// Blocks of the pairs of each pack: each entry with those not before it, the base first.
     targets: Vec<[Target; LANES]>,
     /// First target of each pack, and the end.
@@ -41,9 +42,9 @@ pub(crate) struct BlockPattern {
     pub of_hanging: Vec<Vec<u32>>,
 }
 
-impl BlockPattern {
+impl ShellPattern {
     pub fn new(shell: &Shell) -> Self {
-        let mut rows: Vec<Vec<u32>> = (0..shell.len()).map(|a| vec![a as u32]).collect();
+        let mut rows: Vec<Vec<u32>> = vec![Vec::new(); shell.len()];
         let operator = &shell.reference.operator;
         for p in 0..operator.points.len() {
             let particles = operator.stencil(p).particles;
@@ -63,19 +64,12 @@ impl BlockPattern {
         let of_hanging = shell.dependents.ties.add_pairs(&mut rows);
         shell.dependents.junctions.add_pairs(&mut rows);
         let mut pattern = Self {
-            offsets: vec![0],
-            columns: Vec::new(),
+            pairs: BlockPattern::new(rows.len(), |a, row| row.append(&mut rows[a])),
             targets: Vec::new(),
             firsts: vec![0],
             rows: Vec::new(),
             of_hanging,
         };
-        for mut row in rows {
-            row.sort_unstable();
-            row.dedup();
-            pattern.columns.extend(row);
-            pattern.offsets.push(pattern.columns.len() as u32);
-        }
         (0..shell.points.packs.points.len())
             .for_each(|index| pattern.find_targets(&shell.points.packs, index));
         pattern
@@ -99,7 +93,7 @@ impl BlockPattern {
                     if weight[lane] == 0.0 || fills(k, a) || fills(l, b) {
                         return Target::NONE;
                     }
-                    let number = self.find(a.max(b), a.min(b)).map(|number| number as u32);
+                    let number = self.pairs.find(a.max(b), a.min(b)).map(|number| number as u32);
                     number.map_or(Target::NONE, |number| Target(number | if a < b { TURNED } else { 0 }))
                 };
                 let targets: [Target; LANES] = std::array::from_fn(target);
@@ -112,17 +106,6 @@ impl BlockPattern {
         }
         self.firsts.push(self.targets.len() as u32);
         self.rows.push(rows);
-    }
-
-    /// Number of the block of particles `a ≥ b`.
-    pub fn find(&self, a: u32, b: u32) -> Option<usize> {
-        let row = self.of_row(a as usize);
-        self.columns[row.clone()].binary_search(&b).ok().map(|i| row.start + i)
-    }
-
-    /// Blocks of a row.
-    pub fn of_row(&self, a: usize) -> std::ops::Range<usize> {
-        self.offsets[a] as usize..self.offsets[a + 1] as usize
     }
 
     /// Blocks of the pairs of a pack.

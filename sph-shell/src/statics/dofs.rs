@@ -120,10 +120,10 @@ impl Shell {
             basis.move_first(3);
             return basis;
         };
-        for direction in constraint.free_directions() {
+        for direction in constraint.held.free() {
             basis.push(direction);
         }
-        let translations = 3 - constraint.held_translations();
+        let translations = 3 - constraint.held.basis().len();
         match constraint.director {
             DirectorHold::Free => {
                 basis.push(frame.t1);

@@ -19,14 +19,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 
     fn pattern(&self) -> Vec<(usize, usize)> {
         let mut out = Vec::with_capacity(self.entries());
-        for a in 0..self.shell.len() {
-            for block in self.pattern.of_row(a) {
-                let b = self.pattern.columns[block] as usize;
-                for row in self.dofs.of(a) {
-                    out.extend(self.dofs.of(b).filter(|&column| column <= row).map(|column| (row, column)));
-                }
-            }
-        }
+        out.extend(self.pattern.pairs.entries(|a| self.dofs.of(a)).map(|(_, row, column)| (row, column)));
         out
     }
 
@@ -123,7 +116,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.restore(&rest);
         self.external_at(level);
         self.shell.second_derivatives(&self.pattern, Some(&stressed), &mut self.blocks);
-        subtract_load_stiffness(&self.shell, level, &self.pattern, &mut self.blocks);
+        subtract_load_stiffness(&self.shell, level, &self.pattern.pairs, &mut self.blocks);
         // Without stress here, the force along the director is that of the stresses alone up to their square.
         self.assemble(Some(&internal), values);
         true
@@ -277,7 +270,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         self.shell.evaluate_internal(false);
         self.external_at(level);
         self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
-        subtract_load_stiffness(&self.shell, level, &self.pattern, &mut self.blocks);
+        subtract_load_stiffness(&self.shell, level, &self.pattern.pairs, &mut self.blocks);
         self.assemble(None, values);
     }
 
@@ -291,14 +284,14 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         };
         let on_hanging = |i: usize| Some(shell.dependents.ties.lack(i));
         shell.dependents.ties.reduce(&shell.motion.state, &self.pattern, &mut self.blocks, 1.0, on_hanging);
-        shell.dependents.junctions.tie(&shell.motion.state, &self.pattern, &mut self.blocks, 1.0);
+        shell.dependents.junctions.tie(&shell.motion.state, &self.pattern.pairs, &mut self.blocks, 1.0);
         shell.dependents.junctions.add_rotation_blocks(
             &shell.motion.state,
-            &self.pattern,
+            &self.pattern.pairs,
             &mut self.blocks,
             lack,
         );
-        shell.body_springs().add_blocks(&self.pattern, &mut self.blocks);
+        shell.body_springs().add_blocks(&self.pattern.pairs, &mut self.blocks);
         // A director that turns keeps its length: its force along itself stiffens or softens every turn.
         let radial = |a: usize| match shell.dependents.junctions.of(a) {
             Some(_) => 0.0,

@@ -4,11 +4,11 @@
 //! \[schweizerhof1984\]. The solver is symmetric, so the tangent takes the symmetric part. Equilibria stay exact, since
 //! residuals hold the whole load; critical levels are those of the symmetric part, and flutter is not looked for.
 
+use implicit_statics::BlockPattern;
 use std::ops::DerefMut;
 
 use crate::Shell;
 use crate::conditions::loads::Block;
-use crate::statics::blocks::BlockPattern;
 use crate::statics::static_shell::StaticShell;
 
 /// The largest entry of the skew part that counts as rounding, in units of the largest derivative.
@@ -44,14 +44,14 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         if largest == 0.0 {
             return 0.0;
         }
-        let mut skew = vec![[[0.0; 6]; 6]; self.pattern.columns.len()];
+        let mut skew = vec![[[0.0; 6]; 6]; self.pattern.pairs.blocks()];
         self.shell.load_stiffness(1.0, &mut |a, b, block| {
-            add_halves((a, b, block), [0.5, -0.5], &self.pattern, &mut skew);
+            add_halves((a, b, block), [0.5, -0.5], &self.pattern.pairs, &mut skew);
         });
         self.shell.dependents.ties.reduce(&self.shell.motion.state, &self.pattern, &mut skew, -1.0, |_| None);
-        self.shell.dependents.junctions.tie(&self.shell.motion.state, &self.pattern, &mut skew, -1.0);
+        self.shell.dependents.junctions.tie(&self.shell.motion.state, &self.pattern.pairs, &mut skew, -1.0);
         for (first, couple) in couples {
-            let Some(number) = self.pattern.find(first, first) else { continue };
+            let Some(number) = self.pattern.pairs.find(first, first) else { continue };
             // Of a couple C about a fixed axis in the rotations of a body: ½ C × θ.
             let half = couple.cross_matrix() * 0.5;
             (0..3).for_each(|i| (0..3).for_each(|j| skew[number][3 + i][3 + j] += half[(i, j)]));

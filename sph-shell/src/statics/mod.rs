@@ -3,7 +3,6 @@
 pub(crate) mod blocks;
 pub(crate) mod dofs;
 mod equilibrium;
-mod levels;
 pub(crate) mod load_stiffness;
 pub(crate) mod projection;
 pub(crate) mod static_shell;

@@ -1,9 +1,9 @@
 //! From blocks between particles to entries between unknowns, rows on threads: every entry is one product, the same for any number.
 
+use implicit_statics::BlockPattern;
 use std::ops::Range;
 
 use crate::conditions::loads::Block;
-use crate::statics::blocks::BlockPattern;
 use crate::statics::dofs::{Basis, DofMap};
 
 /// Entries below which a thread's share is not divided.
@@ -23,13 +23,10 @@ pub(crate) struct Projection<'a, R> {
 /// First entry of the rows of each particle in the pattern of the unknowns, and the end.
 pub(crate) fn entries(dofs: &DofMap, pattern: &BlockPattern) -> Vec<usize> {
     let mut out = vec![0];
-    for a in 0..pattern.offsets.len() - 1 {
+    for a in 0..pattern.rows() {
         let own = dofs.of(a).len();
-        let others: usize = (pattern.of_row(a))
-            .map(|block| pattern.columns[block] as usize)
-            .filter(|&b| b != a)
-            .map(|b| dofs.of(b).len())
-            .sum();
+        let others = pattern.columns(a).iter().map(|&b| b as usize).filter(|&b| b != a);
+        let others: usize = others.map(|b| dofs.of(b).len()).sum();
         out.push(out[a] + own * others + own * (own + 1) / 2);
     }
     out
@@ -64,8 +61,8 @@ impl<R: Fn(usize) -> f64 + Sync> Projection<'_, R> {
     #[inline]
     fn rows(&self, a: usize, mut visit: impl FnMut(f64)) {
         let own = &self.bases[a];
-        for number in self.pattern.of_row(a) {
-            let (b, block) = (self.pattern.columns[number] as usize, &self.blocks[number]);
+        for (&b, block) in self.pattern.columns(a).iter().zip(&self.blocks[self.pattern.of(a)]) {
+            let b = b as usize;
             let other = &self.bases[b];
             let along = if a == b { (self.radial)(a) } else { 0.0 };
             for row in 0..own.count {

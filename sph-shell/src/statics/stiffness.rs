@@ -21,7 +21,7 @@ use crate::packs::Row;
 use crate::points::point::{Point, PointLaw, PointState, sign};
 use crate::points::scheme::Scheme;
 use crate::registers::Registers;
-use crate::statics::blocks::{BlockPattern, Target};
+use crate::statics::blocks::{ShellPattern, Target};
 
 /// Vectors of a point that are made of positions: x,1 x,2 q_x.
 const OF_POSITIONS: [usize; 3] = [0, 1, 5];
@@ -35,7 +35,7 @@ impl Shell {
     /// stresses are those of another state, if one is given.
     pub(crate) fn second_derivatives(
         &self,
-        pattern: &BlockPattern,
+        pattern: &ShellPattern,
         stressed: Option<&[Row]>,
         blocks: &mut [Block],
     ) {
@@ -48,7 +48,7 @@ impl Shell {
 #[derive(Clone, Copy)]
 struct Assembly<'a> {
     shell: &'a Shell,
-    pattern: &'a BlockPattern,
+    pattern: &'a ShellPattern,
     stressed: Option<&'a [Row]>,
 }
 
@@ -56,11 +56,11 @@ impl Assembly<'_> {
     /// Fills the blocks of some rows, halves of them on two threads.
     fn run(&self, rows: Range<usize>, blocks: &mut [Block], threads: usize) {
         if threads > 1 && blocks.len() >= 2 * SHARE {
-            let first = self.pattern.of_row(rows.start).start;
-            let offsets = &self.pattern.offsets[rows.start..=rows.end];
+            let first = self.pattern.pairs.of(rows.start).start;
+            let offsets = &self.pattern.pairs.offsets()[rows.start..=rows.end];
             let half = first + blocks.len() / 2;
             let cut = rows.start + offsets.partition_point(|&offset| (offset as usize) < half);
-            let (left, right) = blocks.split_at_mut(self.pattern.of_row(cut).start - first);
+            let (left, right) = blocks.split_at_mut(self.pattern.pairs.of(cut).start - first);
             rayon::join(
                 || self.run(rows.start..cut, left, threads / 2),
                 || self.run(cut..rows.end, right, threads / 2),
@@ -69,10 +69,10 @@ impl Assembly<'_> {
         }
         widest(Leaf { assembly: *self, rows: rows.clone(), blocks });
         if let Scheme::Wide { control, .. } = &self.shell.points.scheme {
-            let first = self.pattern.of_row(rows.start).start;
+            let first = self.pattern.pairs.of(rows.start).start;
             for a in rows {
                 for (b, [xx, xd, dx, dd]) in control.blocks_of(a).filter(|block| block.0 as usize <= a) {
-                    let Some(block) = self.pattern.find(a as u32, b) else { continue };
+                    let Some(block) = self.pattern.pairs.find(a as u32, b) else { continue };
                     for i in 0..3 {
                         blocks[block - first][i][i] += xx;
                         blocks[block - first][i][3 + i] += xd;
@@ -92,7 +92,7 @@ impl Assembly<'_> {
         blocks: &mut [Block],
     ) {
         blocks.fill([[0.0; 6]; 6]);
-        let first = self.pattern.of_row(rows.start).start;
+        let first = self.pattern.pairs.of(rows.start).start;
         let mut stencil = Stencil::default();
         for index in (0..self.shell.points.packs.points.len()).filter(|&i| self.pattern.touches(i, rows)) {
             let point = self.shell.points.point(index);

@@ -64,9 +64,8 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         shell.dependents.ties.follow(&shell.motion.state, &mut rates);
         let positions: Vec<Vec3> = (0..rates.len()).map(|a| shell.motion.place(a)).collect();
         let velocities: Vec<Vec3> = rates.iter().map(|row| Vec3::from_column_slice(&row[..3])).collect();
-        let of =
-            |a: usize| self.pattern.of_row(a).map(move |number| (a, self.pattern.columns[number] as usize));
-        let fitted = fitted_spins(&positions, &velocities, (0..rates.len()).flat_map(of));
+        let pairs = self.pattern.pairs.pairs().map(|(a, b, _)| (a, b));
+        let fitted = fitted_spins(&positions, &velocities, pairs);
         let spin = |a: usize| {
             let d = shell.director(a);
             let rate = Vec3::from_column_slice(&rates[a][3..]);

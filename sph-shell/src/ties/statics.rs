@@ -2,7 +2,7 @@
 
 use crate::conditions::loads::Block;
 use crate::packs::Row;
-use crate::statics::blocks::BlockPattern;
+use crate::statics::blocks::ShellPattern;
 use crate::ties::list::Ties;
 
 impl Ties {
@@ -43,36 +43,37 @@ impl Ties {
     pub fn reduce(
         &self,
         state: &[Row],
-        pattern: &BlockPattern,
+        pattern: &ShellPattern,
         blocks: &mut [Block],
         sign: f64,
         lack: impl Fn(usize) -> Option<Row>,
     ) {
-        for (i, (hanging, partners)) in self.hanging.iter().zip(&pattern.of_hanging).enumerate() {
+        let ShellPattern { pairs, of_hanging, .. } = pattern;
+        for (i, (hanging, partners)) in self.hanging.iter().zip(of_hanging).enumerate() {
             let (t, v) = (hanging.particle, hanging.vectors(state));
             let z = hanging.jacobians(&v);
             for &b in partners {
-                let Some(number) = pattern.find(t.max(b), t.min(b)) else { continue };
+                let Some(number) = pairs.find(t.max(b), t.min(b)) else { continue };
                 let taken = std::mem::replace(&mut blocks[number], [[0.0; 6]; 6]);
                 let of_t = if t > b { taken } else { transposed(&taken, sign) };
                 for (&k, z) in hanging.corners.iter().zip(&z) {
                     let share = product(z, &of_t);
                     if k >= b {
-                        add(&share, pattern.find(k, b), blocks);
+                        add(&share, pairs.find(k, b), blocks);
                     }
                     if k <= b {
-                        add(&transposed(&share, sign), pattern.find(b, k), blocks);
+                        add(&transposed(&share, sign), pairs.find(b, k), blocks);
                     }
                 }
             }
-            let own = pattern
+            let own = pairs
                 .find(t, t)
                 .map_or([[0.0; 6]; 6], |number| std::mem::replace(&mut blocks[number], [[0.0; 6]; 6]));
             let second = lack(i).map(|row| hanging.second_variation(&v, &row));
             let count = hanging.corners.len();
             for (k, &row) in hanging.corners.iter().enumerate() {
                 for (l, &column) in hanging.corners.iter().enumerate().filter(|(_, column)| **column <= row) {
-                    let target = pattern.find(row, column);
+                    let target = pairs.find(row, column);
                     // Zₖᵀ H Zₗ = ((Zₖᵀ H)ᵀ)ᵀ Zₗ, both products with the transpose on the left.
                     let half = transposed(&product(&z[k], &own), 1.0);
                     add(&product(&half, &z[l]), target, blocks);

@@ -8,7 +8,6 @@ use parallel::ByChunk;
 
 use crate::Shell;
 use crate::conditions::constraints::Constraints;
-use crate::decay::Decay;
 use crate::dependents::Dependents;
 use crate::dispatch::{Work as Sweeping, widest};
 use crate::loading::Loading;
@@ -60,7 +59,7 @@ fn update_of<'a>(
         constraint_of: &constraints.of_particle,
         constraints: &constraints.all,
         step,
-        decay: Decay::of(step),
+        decay: step.decay(),
     }
 }
 

@@ -2,12 +2,11 @@
 
 use std::ops::Range;
 
-use explicit_dynamics::{Step, Work};
+use explicit_dynamics::{Decay, Step, Work};
 use shell_kinematics::{LANES, Pack3, parallel_transport};
 
 use crate::conditions::prescribed_at::Prescribed;
 use crate::conditions::supports::Constraint;
-use crate::decay::Decay;
 use crate::gather::Gather;
 use crate::packs::Row;
 use crate::registers::{Baseline, Registers, columns, four_of};
@@ -271,7 +270,7 @@ impl Update<'_> {
         if constraint.tied {
             return ([0.0; 6], false); // its group moves it
         }
-        let mut v = constraint.free_translation([new[0], new[1], new[2]]);
+        let mut v = constraint.held.free_part([new[0], new[1], new[2]]);
         let motion = constraint.velocity(self.step);
         if let Some(motion) = motion {
             for k in 0..3 {
@@ -289,16 +288,16 @@ impl Update<'_> {
     #[cold]
     #[inline(never)]
     fn with_reported_work(&self, a: usize, external: f64, row: Row, f: Row, [old, new]: [Row; 2]) -> f64 {
-        let Step { kick, damping, .. } = *self.step;
         let prescribed = self.constraints[self.constraint_of[a] as usize - 1].prescribed();
-        let tells = |what: fn(&Prescribed<'_>) -> bool| kick == 0.0 || prescribed.as_ref().is_some_and(what);
+        let tells = |what: fn(&Prescribed<'_>) -> bool| {
+            self.step.kick == 0.0 || prescribed.as_ref().is_some_and(what)
+        };
         let along = f[3] * row[3] + f[4] * row[4] + f[5] * row[5];
         let work = |external: f64, k: usize| {
             let (m, f) =
                 if k < 3 { (self.masses[a], f[k]) } else { (self.inertias[a], f[k] - along * row[k]) };
             let mean = 0.5 * (old[k] + new[k]);
-            let impulse = m * (new[k] - old[k]) + kick * (m * damping * mean - f);
-            external + impulse * mean
+            external + self.step.support_impulse(m, [old[k], new[k]], f) * mean
         };
         let moved = if tells(|prescribed| prescribed.motion.is_some()) { 0..3 } else { 0..0 };
         let rotated = if tells(|prescribed| prescribed.rotation.is_some()) { 3..6 } else { 0..0 };

@@ -147,7 +147,7 @@ impl Shell {
             f[k] -= along * row[k];
         }
         if let Some(constraint) = self.constraint(a) {
-            let v = constraint.free_translation([f[0], f[1], f[2]]);
+            let v = constraint.held.free_part([f[0], f[1], f[2]]);
             let w = constraint.free_rotation([f[3], f[4], f[5]]);
             f = [v[0], v[1], v[2], w[0], w[1], w[2]];
         }

@@ -1,6 +1,5 @@
 //! The wet surface of a shell: points that stand for it, the load of a fluid on them, and its way to the particles.
 
-mod interface;
 mod places;
 mod sheet;
 mod strip;

@@ -12,9 +12,10 @@
 //! While a step of the fluid lasts, a column that bears a load resists what it moves, at its middle and along its director
 //! n of the start, beyond what the fluid saw: `f = −ρ₀c₀A [(v − v_seen)·n] n`, A its area on the faces that bear the load.
 
-use explicit_dynamics::{BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout};
+use explicit_dynamics::{BoundaryLayout, BoundaryLoad, BoundaryState, Face, ThinLayout, Wetted};
 use sph_core::Vec3;
 
+use crate::Shell;
 use crate::error::ShellError;
 use crate::packs::Row;
 use crate::reference::Reference;
@@ -230,4 +231,43 @@ fn halves(row: &Row) -> [[f64; 3]; 2] {
 fn unit(v: [f64; 3]) -> [f64; 3] {
     let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
     v.map(|component| component / length)
+}
+
+/// The boundary of a shell that is dry.
+static DRY: BoundaryLayout = BoundaryLayout { points: 0, areas: Vec::new(), thin: None };
+
+impl Wetted for Shell {
+    fn boundary_layout(&self) -> &BoundaryLayout {
+        self.loading.wetted.as_ref().map_or(&DRY, |surface| &surface.layout)
+    }
+
+    fn boundary(&self, out: &mut BoundaryState) {
+        match &self.loading.wetted {
+            Some(surface) => surface.places(&self.motion.state, out),
+            None => *out = BoundaryState::default(),
+        }
+    }
+
+    fn apply_load(&mut self, load: &BoundaryLoad<'_>) {
+        if let Some(surface) = &mut self.loading.wetted {
+            surface.take(&self.motion.state, load);
+        }
+    }
+
+    fn impedance_impulses(&self, span: f64, impulses: &mut [[f64; 3]]) {
+        if let Some(surface) = &self.loading.wetted {
+            surface.impedance_impulses(&self.motion.rates, span, impulses);
+        }
+    }
+
+    fn boundary_velocities(&self, out: &mut Vec<[f64; 3]>) {
+        match &self.loading.wetted {
+            Some(surface) => surface.velocities(&self.motion.rates, out),
+            None => out.clear(),
+        }
+    }
+
+    fn particles(&self) -> usize {
+        self.len()
+    }
 }

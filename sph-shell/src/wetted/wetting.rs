@@ -12,7 +12,7 @@ pub struct Wetting {
     /// Rows of points on each wet face; row k, from 0, lies `(½ + k)Δx` below the face, in the wall or through it.
     pub rows: usize,
     /// Which faces are wet.
-    pub sides: Sides,
+    pub faces: WetFaces,
     /// Whether the problem is plane: the shell is then a strip across the plane z = 0, as wide everywhere.
     pub plane: bool,
     /// Particles of free edges, around which the fluid flows. Edges at which the shell goes on, behind a symmetry
@@ -20,16 +20,21 @@ pub struct Wetting {
     pub free_edges: Vec<u32>,
 }
 
-/// The wet faces of a shell.
+/// Faces of a shell that a fluid wets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Sides {
-    /// That to which the directors point.
-    Front,
-    /// The other.
-    Back,
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case")
+)]
+pub enum WetFaces {
     /// Both.
     #[default]
     Both,
+    /// The one to which the director points.
+    Front,
+    /// The other.
+    Back,
 }
 
 impl Wetting {
@@ -38,10 +43,10 @@ impl Wetting {
         let row = |k: usize| 0.5 * thickness - (0.5 + k as f64) * self.spacing;
         let face = |face, sign: f64| (0..self.rows).map(move |k| (face, sign * row(k)));
         let (front, back) = (face(Face::Front, 1.0), face(Face::Back, -1.0));
-        match self.sides {
-            Sides::Front => front.collect(),
-            Sides::Back => back.collect(),
-            Sides::Both => front.chain(back).collect(),
+        match self.faces {
+            WetFaces::Front => front.collect(),
+            WetFaces::Back => back.collect(),
+            WetFaces::Both => front.chain(back).collect(),
         }
     }
 

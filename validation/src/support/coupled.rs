@@ -7,7 +7,7 @@ use fluid_sph::{Fluid, Formulation, Parts, Structure, Wall};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cell, Cloud, Vec3};
 use sph_shell::{
-    AppliedLoad, Gravity, Reach, Shell, ShellBuilder, Sides, Support, Supported, SymmetryPlane, Wetting,
+    AppliedLoad, Gravity, Reach, Shell, ShellBuilder, Support, Supported, SymmetryPlane, WetFaces, Wetting,
 };
 
 use super::fluids;
@@ -106,9 +106,9 @@ pub fn stations(from: [f64; 2], to: [f64; 2], cells: usize) -> Vec<[f64; 2]> {
 }
 
 /// A strip in a fluid of some spacing, with free ends at some stations.
-pub fn wetting(spacing: f64, sides: Sides, free: &[usize]) -> Wetting {
+pub fn wetting(spacing: f64, faces: WetFaces, free: &[usize]) -> Wetting {
     let free_edges = free.iter().flat_map(|&i| [2 * i as u32, 2 * i as u32 + 1]).collect();
-    Wetting { spacing, rows: ROWS, sides, plane: true, free_edges }
+    Wetting { spacing, rows: ROWS, faces, plane: true, free_edges }
 }
 
 /// Particles in the middles of square cells between two corners, in whole numbers of cells.

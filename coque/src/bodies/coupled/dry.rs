@@ -31,15 +31,15 @@ impl Dry {
     /// The dry face of a structure that shows one face only.
     pub fn new(
         structure: usize,
-        wet: Option<WetFaces>,
+        wet: WetFaces,
         thin: Option<&ThinLayout>,
         spacing: f64,
         dimensions: usize,
     ) -> Option<Self> {
         let side = match wet {
-            None | Some(WetFaces::Both) => return None,
-            Some(WetFaces::Front) => -1.0,
-            Some(WetFaces::Back) => 1.0,
+            WetFaces::Both => return None,
+            WetFaces::Front => -1.0,
+            WetFaces::Back => 1.0,
         };
         let thickness = thin?.thickness;
         Some(Self { structure, side, thickness, spacing, dimensions, since: -1.0, most: 0.0 })

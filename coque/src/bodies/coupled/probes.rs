@@ -44,13 +44,7 @@ pub(super) fn probes(mut of: Measuring<'_>, own: Vec<Vec<Probe>>) -> Result<Vec<
             number => of.on_walls(number - structures - 1, column, set)?,
         };
         let direction = column.direction.map_or_else(Vec3::zeros, |v| Vec3::from(v).normalize());
-        let mut probe = Probe::new(&column.name, column.of, particles, direction);
-        (probe.take, probe.factor) = (column.taken(), column.factor);
-        probe.about = column.about.map_or_else(Vec3::zeros, Vec3::from);
-        if of.fluid.dimensions() == 2 {
-            probe.quantity = probe.quantity.by_depth();
-        }
-        all.push(probe);
+        all.push(Probe::of_column(scene, column, particles, direction));
     }
     Ok(all)
 }

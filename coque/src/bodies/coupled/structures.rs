@@ -1,6 +1,6 @@
 //! Structures as a fluid wets them: rows of points under the faces of a shell, the nodes of a solid.
 
-use sph_shell::{Sides, Wetting};
+use sph_shell::Wetting;
 
 use super::body::Structure;
 use crate::bodies::BuiltBody;
@@ -9,7 +9,7 @@ use crate::bodies::shell::build::shell_made;
 use crate::bodies::solid::build::solid_made;
 use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
 use crate::scene::error::SceneError;
-use crate::scene::{BodyScene, FluidScene, SolidScene, WetFaces};
+use crate::scene::{BodyScene, FluidScene, SolidScene};
 
 /// A structure with what the fluid asks of it.
 pub(super) struct WettedBody<'a> {
@@ -27,15 +27,10 @@ pub(super) fn wet<'a>(
 ) -> Result<Option<WettedBody<'a>>, SceneError> {
     match scene.body {
         BodyScene::Shell(shell) => {
-            let sides = match shell.wet {
-                None | Some(WetFaces::Both) => Sides::Both,
-                Some(WetFaces::Front) => Sides::Front,
-                Some(WetFaces::Back) => Sides::Back,
-            };
             let wetting = Wetting {
                 spacing: fluid.geometry.spacing(),
                 rows: rows_deep(fluid),
-                sides,
+                faces: shell.wet.unwrap_or_default(),
                 plane: fluid.dimensions() == 2,
                 free_edges: Vec::new(),
             };

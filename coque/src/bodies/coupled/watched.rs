@@ -51,7 +51,9 @@ pub(super) fn watched(
 fn dry(number: usize, wet: &WettedBody<'_>, fluid: &Fluid) -> Result<Option<Dry>, SceneError> {
     let Some(shell) = wet.scene.as_shell() else { return Ok(None) };
     let thin = wet.made.body.boundary_layout().thin.as_ref();
-    let Some(dry) = Dry::new(number, shell.wet, thin, fluid.spacing(), fluid.dimensions()) else {
+    let Some(dry) =
+        Dry::new(number, shell.wet.unwrap_or_default(), thin, fluid.spacing(), fluid.dimensions())
+    else {
         return Ok(None);
     };
     let mut state = BoundaryState::default();

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use mesh_io::surface::read;
 use sph_core::{
-    SpaceError, Vec3, WallSide, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows,
-    surface_first_row, surface_rows,
+    SpaceError, Vec3, basin_rows, block_rows, leaks, polyline_first_row, polyline_rows, surface_first_row,
+    surface_rows,
 };
 
 use crate::bodies::refusal::body_error;
@@ -13,7 +13,7 @@ use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::bounded::numbers;
 use crate::scene::error::SceneError;
 use crate::scene::sets::OF_WALLS;
-use crate::scene::{Basin, LineSide, Obstacle, WallGeometry, WallSurface, WallsScene};
+use crate::scene::{Basin, Obstacle, WallGeometry, WallSurface, WallsScene};
 
 /// Part of a spacing behind a face up to which a particle belongs to the first row.
 const FIRST: f64 = 0.75;
@@ -87,12 +87,8 @@ pub(in crate::bodies) fn rows(
         WallGeometry::Basin(basin) => of_basin(basin, spacing, rows).map_err(refused),
         WallGeometry::Block(block) => of_obstacle(block, spacing, rows).map_err(refused),
         WallGeometry::Polyline(line) => {
-            let side = match line.side {
-                LineSide::Left => WallSide::Left,
-                LineSide::Right => WallSide::Right,
-            };
-            let points = polyline_rows(&line.points, side, spacing, rows).map_err(refused)?;
-            let wanted = polyline_first_row(&line.points, side, spacing).map_err(refused)?;
+            let points = polyline_rows(&line.points, line.side, spacing, rows).map_err(refused)?;
+            let wanted = polyline_first_row(&line.points, line.side, spacing).map_err(refused)?;
             Ok(whole(points, &wanted, 2, spacing))
         }
         WallGeometry::Surface(surface) => {

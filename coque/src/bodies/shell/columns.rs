@@ -35,8 +35,8 @@ impl Builder<'_> {
             let sampled =
                 if column.of.is_of_strains() { Some(self.sampled(column, &on, shell)?) } else { None };
             let about = self.turned(column.about.unwrap_or_default());
-            let probe = Probe::new(&column.name, column.of, on, direction);
-            Ok(Probe { take: column.taken(), factor: column.factor, about, sampled, ..probe })
+            let probe = Probe::of_column(self.scene.scene, column, on, direction);
+            Ok(Probe { about, sampled, ..probe })
         };
         self.scene.curve.iter().map(probe).collect()
     }

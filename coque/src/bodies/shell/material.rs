@@ -5,7 +5,7 @@ use shell_kinematics::{
     StrainMeasure,
 };
 use sph_core::{CubicSpline, Vec3};
-use sph_shell::{Divergence, Formulation, Reach};
+use sph_shell::{Formulation, Reach};
 
 use crate::bodies::refusal::model_error;
 use crate::bodies::shell::build::Builder;
@@ -146,10 +146,7 @@ impl Builder<'_> {
             scene::Formulation::StrongForm(f) => Formulation::StrongForm {
                 smoothing: f.smoothing_length(),
                 viscosity: f.viscosity.get(),
-                divergence: match f.divergence {
-                    scene::Divergence::Sum => Divergence::Sum,
-                    scene::Divergence::Difference => Divergence::Difference,
-                },
+                divergence: f.divergence,
                 kernel,
             },
         }

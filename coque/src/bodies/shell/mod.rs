@@ -2,8 +2,6 @@
 
 mod attached;
 mod balance;
-mod bent;
-mod bodies;
 mod body;
 pub(crate) mod build;
 mod cells;
@@ -19,9 +17,7 @@ mod places;
 mod refusal;
 mod rigid;
 mod sections;
-mod springs;
-mod stress;
+mod start;
 mod thickness;
 mod tools;
-mod velocity;
 pub(crate) mod warnings;

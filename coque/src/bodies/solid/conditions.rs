@@ -219,8 +219,7 @@ pub(in crate::bodies) fn probes(
             nodes.truncate(1); // it is counted once, of the whole body
         }
         let direction = column.direction.map_or_else(Vec3::zeros, |v| Vec3::from(v).normalize());
-        let probe = Probe::new(&column.name, column.of, nodes, direction);
-        Ok(Probe { take: column.taken(), factor: column.factor, ..probe })
+        Ok(Probe::of_column(scene.scene, column, nodes, direction))
     };
     scene.curve.iter().map(probe).collect()
 }

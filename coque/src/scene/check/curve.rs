@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::gauges::check_gauge;
 use super::sets::{check_set_name, only_on};
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
+use crate::scene::column_unit::ColumnUnit;
 use crate::scene::curve::{Measured, Probe};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::output::Output;
@@ -12,6 +13,7 @@ use crate::scene::problem::BodyScene;
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::solid::SolidScene;
+use crate::scene::units::Length;
 
 fn check_checkpoints(scene: &BodyInScene<'_>) -> Verdict {
     let Some(every) = scene.output.checkpoint_every else { return Ok(()) };
@@ -115,6 +117,22 @@ pub(super) fn check_measured_alike(body: &BodyScene, s: &Scope<'_>, probe: &OnSe
     }
 }
 
+/// Refuses a unit that is none of what the column measures.
+fn check_unit(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    let Some(unit) = probe.unit.as_ref().filter(|_| scene.scene.unit_of(probe).is_none()) else {
+        return Ok(());
+    };
+    let bare = scene.scene.units.length == Length::None;
+    let (bound, repair) = match bare {
+        true => ("none: the scene has no units".into(), "remove `unit`, or give the scene units"),
+        false => {
+            let fitting = ColumnUnit::fitting(scene.scene.quantity(probe.of));
+            (format!("a unit of {}: {fitting}", probe.of.word()), "write one of these")
+        }
+    };
+    Err(SceneError::Choice(scene.scope().fault(&probe.at("unit"), &format!("\"{unit}\""), &bound, repair)))
+}
+
 /// What can be measured on the body.
 fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
@@ -162,6 +180,7 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
             only_on(scene, probe, why, &["all"])?;
         }
         s.sized(&probe.at("factor"), probe.factor)?;
+        check_unit(scene, probe)?;
     }
     if scene.output.fields.is_some_and(|fields| fields.every == 0) {
         return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));

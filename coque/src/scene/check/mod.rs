@@ -12,7 +12,6 @@ mod sets;
 mod shell;
 mod solid;
 mod together;
-mod vectors;
 
 use self::analysis::check_analysis;
 use self::conditions::{check_load, check_support};

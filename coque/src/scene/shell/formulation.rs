@@ -3,6 +3,7 @@
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, Visitor};
+use sph_shell::Divergence;
 
 use crate::scene::bounded::{NotNegative, Order, Smoothing};
 
@@ -78,17 +79,6 @@ pub struct StrongForm {
     pub kernel: String,
     /// Measure of the curvature; with the sum that of the paper, `green-lagrange`, with the difference `stretch-corrected`.
     pub curvature: Option<String>,
-}
-
-/// How the strong form reads the divergence.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Divergence {
-    /// `Σ (P_b + P_a)·∇W`, as printed: at edges far off.
-    #[default]
-    Sum,
-    /// `Σ (P_b − P_a)·∇W` with the resultants of edges prescribed.
-    Difference,
 }
 
 impl Default for Formulation {

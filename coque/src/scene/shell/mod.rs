@@ -10,6 +10,7 @@ pub(crate) mod tools;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use sph_shell::WetFaces;
 
 use formulation::Formulation;
 use geometry::{Geometry, Orientation, Placed};
@@ -67,23 +68,9 @@ pub struct ShellScene {
 impl ShellScene {
     /// Whether a fluid wets both of its faces.
     pub(crate) fn wets_both(&self) -> bool {
-        matches!(self.wet, None | Some(WetFaces::Both))
+        self.wet.unwrap_or_default() == WetFaces::Both
     }
-}
 
-/// Faces of a shell that a fluid wets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum WetFaces {
-    /// Both.
-    Both,
-    /// The one to which the director points.
-    Front,
-    /// The other.
-    Back,
-}
-
-impl ShellScene {
     /// Number of the rigid body that a set is, if it is one.
     pub(crate) fn rigid_body(&self, set: &str) -> Option<usize> {
         self.rigid.iter().position(|body| body.on == set)
@@ -102,8 +89,8 @@ impl ShellScene {
         "tools",
         "initial_stress",
         "formulation",
+        "velocity",
         "placed",
         "imperfection",
-        "velocity",
     ];
 }

@@ -4,7 +4,6 @@ pub(crate) mod formulation;
 pub(crate) mod fracture;
 pub(crate) mod galerkin;
 pub(crate) mod geometry;
-mod lattice;
 pub(crate) mod material;
 
 use schemars::JsonSchema;

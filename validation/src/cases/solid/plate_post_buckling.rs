@@ -167,7 +167,7 @@ fn shell() -> Variant {
         .set("imperfection", format!("{{ amplitude = {BENT}, mode = 1 }}"))
         .set("supports", format!("[{}]", supports.join(", ")))
         .set("loads", "[]")
-        .set("curve[0].factor", 1e-3)
+        .set("curve[0].unit", "\"kN\"")
         .set("curve[2].on", "\"all\"")
 }
 

@@ -1,7 +1,6 @@
 //! The checks of a solid: its own keys, relative to where it stands in the scene, and what goes with it.
 
 mod conditions;
-mod fracture;
 mod galerkin;
 mod geometry;
 mod material;

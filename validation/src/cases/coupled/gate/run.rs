@@ -6,7 +6,7 @@ use explicit_dynamics::{Order, Wetted};
 use fluid_sph::{Fluid, Formulation, Parts};
 use peridynamics::{Correction, Elastic, Law, Solid, Space, Support};
 use sph_core::Vec3;
-use sph_shell::{Clamped, Shell, Sides};
+use sph_shell::{Clamped, Shell, WetFaces};
 
 use crate::support::coupled::{
     Coupled, GRAVITY, ROWS, Strip, coupled, fill, march, raised, stations, structure, water, wetting,
@@ -116,7 +116,7 @@ fn strip(gate: &Gate) -> Result<(Shell, f64), Box<dyn Error>> {
         held: vec![(vec![0], Box::new(Clamped))],
     };
     let width = strip.width();
-    let shell = strip.builder()?.wetted(wetting(gate.spacing, Sides::Both, &[CELLS])).build()?;
+    let shell = strip.builder()?.wetted(wetting(gate.spacing, WetFaces::Both, &[CELLS])).build()?;
     Ok((shell, width))
 }
 

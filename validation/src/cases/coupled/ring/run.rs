@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use fluid_sph::{Liquid, Parts, Start};
 use sph_core::Vec3;
-use sph_shell::{Shell, Sides};
+use sph_shell::{Shell, WetFaces};
 
 use crate::support::coupled::{ROWS, Strip, coupled, march, water, wetting};
 
@@ -88,7 +88,7 @@ fn shell(layers: usize, wet: bool) -> Result<(Shell, f64), Box<dyn Error>> {
     let width = strip.width();
     let mut shell = strip.builder()?;
     if wet {
-        shell = shell.wetted(wetting(spacing, Sides::Front, &[]));
+        shell = shell.wetted(wetting(spacing, WetFaces::Front, &[]));
     }
     let mut shell = shell.build()?;
     for a in 0..shell.len() {

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use explicit_dynamics::Amplitude;
 use fluid_sph::{Parts, Start};
 use sph_core::Vec3;
-use sph_shell::{Held, Moved, Shell, Sides, Support};
+use sph_shell::{Held, Moved, Shell, Support, WetFaces};
 
 use crate::support::coupled::{ROWS, Strip, coupled, fill, march, stations, water, wetting};
 
@@ -70,7 +70,7 @@ fn plate(
         held: supports,
     }
     .builder()?
-    .wetted(wetting(spacing, Sides::Front, &[CELLS]))
+    .wetted(wetting(spacing, WetFaces::Front, &[CELLS]))
     .build()?;
     for a in 0..shell.len() {
         shell.set_rate(a, -Vec3::y() * SPEED, Vec3::zeros());

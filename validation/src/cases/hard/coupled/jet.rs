@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use fluid_sph::{Parts, Start};
 use sph_core::Vec3;
-use sph_shell::{Shell, Sides};
+use sph_shell::{Shell, WetFaces};
 
 use crate::cases::coupled::measure::{Size, outcome};
 use crate::judge::{Case, Headline, Outcome, Run, Variant};
@@ -61,7 +61,7 @@ fn hit(young: f64) -> Result<Outcome, Box<dyn Error>> {
         held: Vec::new(),
     };
     let width = strip.width();
-    let shell = strip.builder()?.wetted(wetting(dx, Sides::Both, &[0, CELLS])).build()?;
+    let shell = strip.builder()?.wetted(wetting(dx, WetFaces::Both, &[0, CELLS])).build()?;
     let positions = fill([-0.1 - 2.0 * dx, 0.08], [-2.0 * dx, 0.12], dx);
     let parts = Parts {
         velocities: vec![Vec3::x() * SPEED; positions.len()],

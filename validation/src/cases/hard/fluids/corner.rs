@@ -4,7 +4,7 @@ use std::error::Error;
 use std::f64::consts::PI;
 
 use fluid_sph::{Fluid, Parts, Wall};
-use sph_core::{Vec3, WallSide, polyline_rows};
+use sph_core::{LineSide, Vec3, polyline_rows};
 
 use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
 use crate::support::fluids::{
@@ -70,7 +70,7 @@ fn settled(method: &str, high: usize) -> Result<Outcome, Box<dyn Error>> {
     let edge = 1.3 * DEPTH;
     let line = [[-edge * slope, edge], [0.0, 0.0], [edge * slope, edge]];
     // Down one side and up the other the water is on the left.
-    let points = polyline_rows(&line, WallSide::Right, dx, rows(&formulation))?;
+    let points = polyline_rows(&line, LineSide::Right, dx, rows(&formulation))?;
     let sound = 20.0 * (GRAVITY * DEPTH).sqrt();
     let parts = water(2, dx, positions, sound, formulation);
     let mut fluid = Fluid::new(Parts { walls: vec![Wall { points, motion: None }], ..parts })?;
