@@ -103,7 +103,7 @@ if TYPE_CHECKING:
     Geometry: TypeAlias = Union["Geometry_1", "Geometry_2", "Geometry_3", "Geometry_4", "Geometry_5"]
     Gravity = TypedDict("Gravity", {"acceleration": Sequence[float]})
     Held = TypedDict("Held", {"director": NotRequired[Sequence[Sequence[float]]], "displacement": NotRequired[Sequence[Sequence[float]]]})
-    Homogeneous = TypedDict("Homogeneous", {"gauss_points": NotRequired[int], "table": NotRequired["ThicknessTable"], "taper": NotRequired["Taper"], "thickness": float})
+    Homogeneous = TypedDict("Homogeneous", {"gauss_points": NotRequired[int], "table": NotRequired["ThicknessTable"], "taper": NotRequired["Taper"], "thickness": float, "values": NotRequired[str]})
     Imperfection = TypedDict("Imperfection", {"amplitude": float, "half_waves": NotRequired[Sequence[int]], "mode": NotRequired[int]})
     Influence: TypeAlias = Union[Literal['constant'], Literal['inverse'], Literal['linear']]
     InitialStress = TypedDict("InitialStress", {"axis": NotRequired[Sequence[float]], "bending": NotRequired[Sequence[float]], "membrane": NotRequired[Sequence[float]], "on": str})
@@ -146,7 +146,7 @@ if TYPE_CHECKING:
     Polygon = TypedDict("Polygon", {"corners": Sequence[Sequence[float]]})
     Polyline = TypedDict("Polyline", {"points": Sequence[Sequence[float]], "side": "LineSide"})
     Prebuckling: TypeAlias = Union[Literal['rotations'], Literal['stress']]
-    Pressure = TypedDict("Pressure", {"follower": NotRequired[bool], "value": float})
+    Pressure = TypedDict("Pressure", {"follower": NotRequired[bool], "value": NotRequired[float], "values": NotRequired[str]})
     Probe = TypedDict("Probe", {"about": NotRequired[Sequence[float]], "at": NotRequired[Sequence[float]], "direction": NotRequired[Sequence[float]], "face": NotRequired["ShellFace"], "factor": NotRequired[float], "name": str, "of": "Measured", "on": str, "take": NotRequired["Take"], "through": NotRequired["Through"]})
     QuasiStatic = TypedDict("QuasiStatic", {"accuracy": NotRequired[float], "damping": NotRequired["Damping"], "hold": NotRequired[float], "levels": "Levels", "period": NotRequired[float], "ramp": NotRequired[float], "stability": NotRequired[bool], "tolerance": NotRequired[float]})
     Reach: TypeAlias = Union[Literal['cell'], float]
