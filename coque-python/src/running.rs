@@ -120,7 +120,11 @@ fn into_folder(
 ///
 /// # Errors
 /// What was raised, and why there is no outcome, where nothing was found that could be kept.
-pub fn reported(py: Python<'_>, ran: Result<Ran, Refusal>, raised: Option<PyErr>) -> PyResult<Bound<'_, PyDict>> {
+pub fn reported(
+    py: Python<'_>,
+    ran: Result<Ran, Refusal>,
+    raised: Option<PyErr>,
+) -> PyResult<Bound<'_, PyDict>> {
     let ran = match (ran, raised.as_ref()) {
         (Ok(ran), _) => ran,
         (Err(_), Some(raised)) => return Err(raised.clone_ref(py)),

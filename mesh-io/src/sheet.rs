@@ -200,6 +200,7 @@ mod tests {
         write(&mut sheet).unwrap();
         assert_eq!(Sheet::parse(&text()).unwrap(), sheet);
         assert_eq!(sheet.points[2], [1.0, 1.0, 0.5]);
+        assert_eq!(sheet.frame_data, [("level".to_string(), 0.5)].into());
         assert_eq!(sheet.cells, [vec![0, 1, 2, 3], vec![3, 2, 4]]);
         let moment = &sheet.cell_data["moment"];
         assert_eq!((moment.width, &moment.components[..]), (2, &["11".to_string(), "22".into()][..]));

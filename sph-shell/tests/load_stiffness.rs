@@ -15,8 +15,8 @@ use sph_shell::{
     Supported, SymmetryPlane, spread,
 };
 
-/// Every kind of load, on the edge given, and whether it follows the shell.
-fn loads(edge: &[(u32, f64)]) -> Vec<(&'static str, bool, Box<dyn Load>)> {
+/// Every kind of load on so many particles, on the edge given, and whether it follows the shell.
+fn loads(edge: &[(u32, f64)], particles: usize) -> Vec<(&'static str, bool, Box<dyn Load>)> {
     let edge = edge.to_vec();
     let couple = |axis| Box::new(EdgeCouple { edge: edge.clone(), moment: 0.7, axis });
     vec![
@@ -31,6 +31,13 @@ fn loads(edge: &[(u32, f64)]) -> Vec<(&'static str, bool, Box<dyn Load>)> {
                 factors: Vec::new(),
             })
         }),
+        ("follower pressure that differs from particle to particle", true, {
+            Box::new(PressurePatch {
+                pressure: Pressure { value: 1.3, follower: true },
+                cells: vec![2, 3, 7],
+                factors: (0..particles).map(|a| 0.5 + 0.1 * a as f64).collect(),
+            })
+        }),
         ("couple about a fixed axis", true, couple(CoupleAxis::Fixed(Vec3::new(0.6, 0.0, 0.8)))),
         ("couple about the edge", true, couple(CoupleAxis::Edge)),
     ]
@@ -43,7 +50,7 @@ fn the_stiffness_of_every_load_is_its_derivative() {
     {
         let edge: Vec<(u32, f64)> =
             cloud.sides.as_ref().unwrap().edge(Side::U1).iter().map(|&a| (a, 0.5)).collect();
-        for (name, follows, load) in loads(&edge) {
+        for (name, follows, load) in loads(&edge, cloud.len()) {
             let mut body =
                 shell(cloud.clone(), energy_formulations()[0].1, 0.2, strain_measures()[0], vec![], vec![]);
             shake(&mut body, 0.1, 4);

@@ -31,6 +31,9 @@ if TYPE_CHECKING:
         from typing_extensions import Unpack
 
 
+# As many as the command takes.
+_MOST_THREADS = 1024
+
 _Rows = NDArray[np.float64]
 Push = Callable[[float, _Rows, _Rows], Any]
 """A function of time, positions and velocities that gives an array of a force on each particle."""
@@ -157,6 +160,7 @@ class Scene:
 
     def check(self, *, cost: bool = False, threads: int = 1) -> dict[str, Any]:
         """Builds it: `model` says what is modelled and left out, `warnings` what is doubtful; `cost`, if asked for, times a few steps."""
+        _checked(threads)
         found = self._scene.check(cost, threads)
         found["model"] = json.loads(found["model"])
         found["warnings"] = [_warning(said) for said in found["warnings"]]
@@ -229,6 +233,7 @@ class Scene:
 
     def steps(self, *, threads: int = 1, records: bool = False) -> Steps:
         """The run, led by whoever loops over it: an event is a step, a record or a level; with `records` each row of the curve."""
+        _checked(threads)
         return Steps(self._scene.simulation(threads), records)
 
 
@@ -259,8 +264,8 @@ def resume(
 
 
 def _checked(threads: int) -> None:
-    if threads < 1:
-        raise ValueError(f"threads is {threads}; it must be at least 1")
+    if not 1 <= threads <= _MOST_THREADS:
+        raise ValueError(f"threads is {threads}; it must be at least 1 and at most {_MOST_THREADS}")
 
 
 @contextmanager

@@ -134,9 +134,13 @@ fn check_course(scene: &BodyInScene<'_>, at: &str, word: &str, amplitude: Option
 
 fn check_pressure(s: &Scope<'_>, at: &str, pressure: &Pressure) -> Verdict {
     if pressure.value.is_none() && pressure.values.is_none() {
-        let (value, bound) = ("neither `value` nor `values`", "one of them");
-        let fault = s.fault(&format!("{at}.pressure"), value, bound, "add value = the pressure");
-        return Err(SceneError::Missing(fault));
+        let repair = "add value = the pressure, or beside it values = the name of an array in memory";
+        return Err(SceneError::Missing(s.fault(
+            &format!("{at}.pressure.value"),
+            "nothing",
+            "a number",
+            repair,
+        )));
     }
     s.sized(&format!("{at}.pressure.value"), pressure.value())
 }
