@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import sys
+import threading
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -412,11 +413,18 @@ def sweep(scene: Scene, over: Mapping[str, Sequence[Any]], *, workers: int = 1, 
     """
     every = [dict(zip(over, values)) for values in itertools.product(*over.values())]
     scenes = [scene.with_(values) for values in every]
+    left = threading.Event()
+
+    def goes_on(_: Progress) -> bool:
+        return not left.is_set()
+
     with ThreadPoolExecutor(max_workers=workers) as pool:
-        runs = [pool.submit(one._run, 1, None, fields, None, "return") for one in scenes]
+        runs = [pool.submit(one._run, 1, goes_on, fields, None, "return") for one in scenes]
         try:
             results = [run.result() for run in runs]
         except BaseException:
+            # Runs under way end soon; the interpreter waits for them.
+            left.set()
             pool.shutdown(wait=False, cancel_futures=True)
             raise
     said = {(warning.word, str(warning)): warning for result in results for warning in result.warnings}
