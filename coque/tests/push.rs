@@ -23,6 +23,7 @@ curve = [{{ name = "w", of = "displacement", on = "corner", direction = [0.0, 0.
     Scene::parse(&text, "strip.toml").unwrap().build(threads).unwrap()
 }
 
+const LOAD: &str = r#"loads = [{ on = "corner", force = { total = [0.0, 0.01, 0.1] } }]"#;
 const MARCH: &str = "explicit.transient = { duration = 0.5, record_every = 0.05 }";
 
 fn pushed(mut model: Model, exert: Exert) -> Outcome {
@@ -32,8 +33,7 @@ fn pushed(mut model: Model, exert: Exert) -> Outcome {
 
 #[test]
 fn a_force_by_a_function_has_the_bits_of_the_scene() {
-    let load = r#"loads = [{ on = "corner", force = { total = [0.0, 0.01, 0.1] } }]"#;
-    let by_scene = strip(load, MARCH, 1).run(&mut Silent);
+    let by_scene = strip(LOAD, MARCH, 1).run(&mut Silent);
     let corner = {
         let model = strip("", MARCH, 1);
         let rest = model.body.body().configuration().rest.to_vec();
@@ -53,7 +53,7 @@ fn a_force_by_a_function_has_the_bits_of_the_scene() {
 
 #[test]
 fn there_is_none_without_time() {
-    let push = |analysis: &str| strip("", analysis, 1).push(Box::new(|_, _, _, _| {})).unwrap_err();
+    let push = |analysis: &str| strip(LOAD, analysis, 1).push(Box::new(|_, _, _, _| {})).unwrap_err();
     assert_eq!(push("linear = {}"), NoPush::Timeless("a linear analysis"));
     let path = "explicit.quasi-static = { levels = 2, ramp = 1.0 }";
     assert_eq!(push(path), NoPush::Timeless("a quasi-static run"));
