@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::errors::failed;
+use crate::leaving::UnderWay;
 
 /// The numbers of a field, as wide as its body wrote them.
 enum Numbers {
@@ -79,7 +80,7 @@ impl FieldWriter for Drawn {
 
 impl From<Sheet> for Drawn {
     fn from(sheet: Sheet) -> Self {
-        let Sheet { points, cells, point_data, cell_data } = sheet;
+        let Sheet { points, cells, point_data, cell_data, .. } = sheet;
         let mut drawn = Self { points: points.into_flattened(), offsets: vec![0], ..Self::default() };
         for cell in cells {
             drawn.corners.extend(cell.iter().map(|&corner| corner as u32));
@@ -201,9 +202,15 @@ impl FieldSink for Gather {
     }
 }
 
-/// Reads the file of a frame.
+/// A body in a frame of a file, with level and time.
+type Read<'py> = (Option<f64>, Option<f64>, Bound<'py, PyDict>);
+
+/// Reads the file of a frame: level and time, none where an older version wrote it, and the body.
 #[pyfunction]
-pub fn read_frame(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
-    let sheet = py.detach(|| Sheet::read(&path));
-    Drawn::from(sheet.map_err(|error| failed(py, &error.to_string()))?).into_python(py)
+pub fn read_frame(py: Python<'_>, path: PathBuf) -> PyResult<Read<'_>> {
+    let _under_way = UnderWay::begin(py)?;
+    let sheet = py.detach(|| Sheet::read(&path)).map_err(|error| failed(py, &error.to_string()))?;
+    let of_frame = |name: &str| sheet.frame_data.get(name).copied();
+    let (level, time) = (of_frame("level"), of_frame("time"));
+    Ok((level, time, Drawn::from(sheet).into_python(py)?))
 }

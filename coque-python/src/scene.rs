@@ -1,98 +1,44 @@
 //! A checked scene: what may be asked of it, and its run.
 
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::PathBuf;
 
-use coque::mesh::Arrays;
-use coque::{
-    Checked, FieldSink, GrowingCurve, Kept, Model, Origin, Outcome, ResultFolder, RunOptions, SceneError,
-    listed, schema_text,
-};
-use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use coque::{Checked, SceneError, listed, schema_text};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::PyDict;
 
-use crate::drawn::{Gather, Shown};
+use crate::brought::Brought;
+use crate::drawn::array;
 use crate::errors::{failed, refused};
-use crate::outcome::{found, warnings};
+use crate::leaving::UnderWay;
+use crate::outcome::warnings;
+use crate::running::{Replaced, Wanted, ran, reported};
 use crate::steps::Simulation;
-use crate::watched::{Watch, watched};
-
-type Replaced = Vec<(String, String)>;
-type Sets<'py> = BTreeMap<String, PyReadonlyArray1<'py, u32>>;
-/// Points, faces, sets of points, sets of faces.
-type Mesh<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray2<'py, u32>, Sets<'py>, Sets<'py>);
+use crate::watched::watched;
 
 /// A scene that has passed every check that needs no particles.
 #[pyclass(frozen)]
 pub struct Scene {
-    scene: Checked,
+    pub(crate) scene: Checked,
     text: String,
     origin: String,
     replaced: Replaced,
 }
 
-/// Why there is no outcome.
-enum Refusal {
-    Scene(Box<SceneError>),
-    Else(String),
-}
-
-impl From<String> for Refusal {
-    fn from(message: String) -> Self {
-        Self::Else(message)
-    }
-}
-
-impl From<SceneError> for Refusal {
-    fn from(error: SceneError) -> Self {
-        Self::Scene(Box::new(error))
-    }
-}
-
-impl Refusal {
-    fn raised(&self, py: Python<'_>) -> PyErr {
-        match self {
-            Self::Scene(error) => refused(py, error),
-            Self::Else(message) => failed(py, message),
-        }
-    }
-}
-
-/// What a run is given beside its scene.
-struct Wanted {
-    threads: usize,
-    /// Whether frames are kept; as the scene asks, where nothing is said.
-    fields: Option<bool>,
-    out: Option<PathBuf>,
-}
-
-/// What a run gives.
-struct Ran {
-    outcome: Outcome,
-    frames: Vec<Shown>,
-    /// What is said beside the warnings of the scene.
-    said: Vec<String>,
-}
-
 #[pymethods]
 impl Scene {
-    /// Reads and checks a text in which some values are replaced; `meshes` are those that it calls by name.
+    /// Reads and checks a text in which some values are replaced; `brought` is what it calls by name.
     #[new]
     fn new(
         py: Python<'_>,
         text: String,
         origin: String,
         replaced: Replaced,
-        meshes: BTreeMap<String, Mesh<'_>>,
+        brought: Brought<'_>,
     ) -> PyResult<Self> {
-        let named = |(name, mesh)| Ok((name, Arc::new(arrays(&mesh)?)));
-        let surfaces = meshes.into_iter().map(named).collect::<PyResult<_>>()?;
-        let scene = py.detach(|| {
-            let scene = coque::Scene::with_overrides(&text, &origin, &replaced)?.into_scene();
-            coque::Scene { surfaces, ..scene }.check()
-        });
+        let brought = brought.copied()?;
+        let _under_way = UnderWay::begin(py)?;
+        let scene =
+            py.detach(|| brought.into_scene(coque::Scene::with_overrides(&text, &origin, &replaced)?));
         let scene = scene.map_err(|error| refused(py, &error))?;
         Ok(Self { scene, text, origin, replaced })
     }
@@ -111,6 +57,7 @@ impl Scene {
 
     /// Builds it: `{"model": text, "warnings": [(word, message)], "cost": {…}}`.
     fn check<'py>(&self, py: Python<'py>, cost: bool, threads: usize) -> PyResult<Bound<'py, PyDict>> {
+        let _under_way = UnderWay::begin(py)?;
         let built = py.detach(|| {
             let model = self.scene.build(threads)?;
             let (described, warned) = (model.describe(), model.warnings().to_vec());
@@ -134,8 +81,20 @@ impl Scene {
         Ok(found)
     }
 
+    /// Builds it: the places of all particles at rest.
+    fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let under_way = UnderWay::begin(py)?;
+        let built = py.detach(|| {
+            let model = self.scene.build(1)?;
+            let rest = model.body.body().configuration().rest;
+            Ok(rest.iter().flat_map(|x| <[f64; 3]>::from(*x)).collect())
+        });
+        drop(under_way);
+        array(py, built.map_err(|error: SceneError| refused(py, &error))?, 3)
+    }
+
     /// Runs it: curve, summary, warnings, how it ended; `frames`, `said`, and `raised`, what ended it from outside.
-    #[pyo3(signature = (threads, listener, fields, out))]
+    #[pyo3(signature = (threads, listener, fields, out, push))]
     fn run<'py>(
         &self,
         py: Python<'py>,
@@ -143,31 +102,19 @@ impl Scene {
         listener: Option<&Bound<'py, PyAny>>,
         fields: Option<bool>,
         out: Option<PathBuf>,
+        push: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let Self { scene, text, origin, replaced } = self;
         let (scene, text, origin, replaced) = (scene.clone(), text.clone(), origin.clone(), replaced.clone());
-        let wanted = Wanted { threads, fields, out };
-        let work = move |watch: &mut Watch| ran(&scene, text, &origin, replaced, wanted, watch);
-        let (ran, raised) = watched(py, listener, work)?;
-        let ran = match (ran, raised.as_ref()) {
-            (Ok(ran), _) => ran,
-            // Nothing was found that could be kept.
-            (Err(_), Some(raised)) => return Err(raised.clone_ref(py)),
-            (Err(refusal), None) => return Err(refusal.raised(py)),
-        };
-        let found = found(py, &ran.outcome)?;
-        let frames = PyList::empty(py);
-        for frame in ran.frames {
-            frames.append(frame.into_python(py)?)?;
-        }
-        found.set_item("frames", frames)?;
-        found.set_item("said", ran.said)?;
-        found.set_item("raised", raised.map(|raised| raised.into_value(py)))?;
-        Ok(found)
+        let wanted = Wanted { threads, fields, out, push };
+        let (ran, raised) =
+            watched(py, listener, move |watch| ran(&scene, text, &origin, replaced, wanted, watch))?;
+        reported(py, ran, raised)
     }
 
     /// Builds it, to be led event by event.
     fn simulation(&self, py: Python<'_>, threads: usize) -> PyResult<Simulation> {
+        let _under_way = UnderWay::begin(py)?;
         let begun = py.detach(|| {
             let model = self.scene.build(threads)?;
             let lone = model.description.kind.to_owned();
@@ -175,74 +122,6 @@ impl Scene {
         });
         begun.map_err(|error: SceneError| refused(py, &error))
     }
-}
-
-/// A mesh of NumPy's arrays.
-fn arrays((points, faces, sets, face_sets): &Mesh<'_>) -> PyResult<Arrays> {
-    let lists = |sets: &Sets<'_>| {
-        let list = |(name, numbers): (&String, &PyReadonlyArray1<'_, u32>)| {
-            Ok((name.clone(), numbers.as_slice()?.to_vec()))
-        };
-        sets.iter().map(list).collect::<PyResult<_>>()
-    };
-    Ok(Arrays {
-        points: points.as_slice()?.as_chunks().0.to_vec(),
-        faces: faces.as_slice()?.as_chunks().0.to_vec(),
-        sets: lists(sets)?,
-        face_sets: lists(face_sets)?,
-    })
-}
-
-/// Builds and runs; results go into a folder if there is one.
-fn ran(
-    scene: &Checked,
-    text: String,
-    origin: &str,
-    replaced: Replaced,
-    wanted: Wanted,
-    watch: &mut Watch,
-) -> Result<Ran, Refusal> {
-    let Wanted { threads, fields, out } = wanted;
-    let model = scene.build(threads)?;
-    watch.said.extend(model.memory.warning());
-    let asked = model.task.output.fields;
-    let keep = fields.unwrap_or(asked.is_some());
-    let stresses = asked.is_some_and(|asked| asked.stresses);
-    let mut gather =
-        keep.then(|| Gather { lone: model.description.kind.into(), stresses, frames: Vec::new() });
-    let sink = gather.as_mut().map(|gather| gather as &mut dyn FieldSink);
-    let outcome = match out {
-        Some(out) => into_folder(model, &out, (text, origin, replaced, threads), sink, watch)?,
-        None => {
-            let options = RunOptions { progress: watch, checkpoints: None, fields: sink, from: None };
-            let mut outcome = model.run_with(options).map_err(|error| error.to_string())?;
-            outcome.summary.replaced =
-                replaced.iter().map(|(path, value)| format!("{path}={value}")).collect();
-            outcome
-        }
-    };
-    let frames = gather.map_or_else(Vec::new, |gather| gather.frames);
-    Ok(Ran { outcome, frames, said: std::mem::take(&mut watch.said) })
-}
-
-/// The same as `coque run` does with a folder.
-fn into_folder(
-    model: Model,
-    out: &Path,
-    (text, origin, replaced, threads): (String, &str, Replaced, usize),
-    sink: Option<&mut dyn FieldSink>,
-    watch: &mut Watch,
-) -> Result<Outcome, Refusal> {
-    let folder = ResultFolder::take(out)?;
-    watch.said.extend(folder.warning().map(String::from));
-    let text = folder.begin(Path::new(origin), text, &replaced)?;
-    // Another folder may be the present one when the run goes on.
-    let file = std::path::absolute(origin).unwrap_or_else(|_| origin.into());
-    let origin = Origin::new(&text, file.display().to_string(), replaced, threads);
-    watch.curve = Some(GrowingCurve::new(&out.join(ResultFolder::CURVE)));
-    let Kept { outcome, written, .. } = model.run_into(&folder, origin, None, watch, sink)?;
-    written?;
-    Ok(outcome)
 }
 
 /// The JSON schema of scenes.

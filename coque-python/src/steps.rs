@@ -9,6 +9,7 @@ use pyo3::types::PyDict;
 
 use crate::drawn::Shown;
 use crate::errors::failed;
+use crate::leaving::UnderWay;
 use crate::outcome::{curve, found};
 use crate::watched::INTERVAL;
 
@@ -30,6 +31,7 @@ impl Simulation {
         py: Python<'_>,
         work: impl FnOnce(&mut coque::Simulation<'static>) -> T + Send,
     ) -> PyResult<T> {
+        let _under_way = UnderWay::begin(py)?;
         let worked = py.detach(|| {
             let mut inner = self.inner.lock().unwrap_or_else(PoisonError::into_inner);
             inner.as_mut().map(work)
@@ -82,6 +84,7 @@ impl Simulation {
 
     /// Ends it where it stands.
     fn finish<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let _under_way = UnderWay::begin(py)?;
         let taken = py.detach(|| {
             let taken = self.inner.lock().unwrap_or_else(PoisonError::into_inner).take();
             taken.map(coque::Simulation::finish)

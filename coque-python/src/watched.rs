@@ -6,10 +6,12 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use coque::{Curve, GrowingCurve, Progress, ProgressReport};
+use coque::{Curve, Exert, GrowingCurve, Progress, ProgressReport};
 use pyo3::prelude::*;
 
 use crate::errors::failed;
+use crate::leaving::{UnderWay, leaving};
+use crate::push::exerted;
 
 /// Time between two looks at signals.
 pub const INTERVAL: Duration = Duration::from_millis(50);
@@ -21,6 +23,14 @@ const STACK: usize = 8 << 20;
 struct Shared {
     stop: AtomicBool,
     news: Mutex<Option<ProgressReport>>,
+    /// What a function that the run calls raised.
+    raised: Mutex<Option<PyErr>>,
+}
+
+impl Shared {
+    fn asked(&self) -> bool {
+        self.stop.load(Ordering::Relaxed) || leaving()
+    }
 }
 
 /// Follows a run: leaves news for the thread that waits, ends the run when that is asked for.
@@ -33,17 +43,29 @@ pub struct Watch {
     pub said: Vec<String>,
 }
 
+impl Watch {
+    /// A function of Python as one that exerts forces; what it raises ends the work.
+    pub fn exert(&self, function: Py<PyAny>) -> Exert {
+        let shared = self.shared.clone();
+        exerted(function, move |error| {
+            *shared.raised.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+            shared.stop.store(true, Ordering::Relaxed);
+        })
+    }
+
+    /// Whether the work goes on.
+    pub fn goes_on(&self) -> ControlFlow<()> {
+        if self.shared.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
 impl Progress for Watch {
     fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {
         if self.left.elapsed() >= INTERVAL {
             self.left = Instant::now();
             *self.shared.news.lock().unwrap_or_else(PoisonError::into_inner) = Some(*news);
         }
-        if self.shared.stop.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+        self.goes_on()
     }
 
     fn recorded(&mut self, curve: &Curve) {
@@ -56,17 +78,18 @@ impl Progress for Watch {
     }
 }
 
-/// What the work gave, and what a signal or `listener` raised on the way, which ended it in good order.
+/// What the work gave, and what a signal, `listener` or a function that the work calls raised on the way, which ended it in good order.
 ///
 /// `listener` is called with `(done, time, level, steps, kinetic, internal)`; it ends the work by `False`.
 ///
 /// # Errors
-/// `coque.CoqueError` where there is no thread to be had, and for a panic of the work.
+/// `coque.CoqueError` where there is no thread to be had, where the interpreter is about to end, and for a panic of the work.
 pub fn watched<T: Send + 'static>(
     py: Python<'_>,
     listener: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&mut Watch) -> T + Send + 'static,
 ) -> PyResult<(T, Option<PyErr>)> {
+    let _under_way = UnderWay::begin(py)?;
     let shared = Arc::new(Shared::default());
     let mut watch = Watch { shared: shared.clone(), left: Instant::now(), curve: None, said: Vec::new() };
     let (sender, receiver) = mpsc::channel();
@@ -80,7 +103,10 @@ pub fn watched<T: Send + 'static>(
     loop {
         let wait = || receiver.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(INTERVAL);
         match py.detach(wait) {
-            Ok(found) => return Ok((found, raised)),
+            Ok(found) => {
+                let of_work = shared.raised.lock().unwrap_or_else(PoisonError::into_inner).take();
+                return Ok((found, of_work.or(raised)));
+            }
             Err(RecvTimeoutError::Disconnected) => {
                 return Err(failed(py, "the run ended by a fault of the program; please report it"));
             }

@@ -205,6 +205,20 @@ def test_a_sweep_is_runs_in_order() -> None:
         coque.sweep(coque.Scene(cantilever()), {"section.homogeneous.thickness": [0.1, -0.1]})
 
 
+def test_ctrl_c_ends_the_runs_of_a_sweep(let_go: coque.Scene) -> None:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    before = threading.active_count()
+    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        coque.sweep(let_go, {"section.homogeneous.thickness": [0.1, 0.2, 0.3]}, workers=2)
+    # Left alone, the runs take minutes.
+    for _ in range(200):
+        if threading.active_count() <= before:
+            break
+        time.sleep(0.05)
+    assert threading.active_count() <= before
+
+
 def test_a_folder_without_results_is_refused(tmp_path: Path) -> None:
     with pytest.raises(coque.CoqueError, match="no results"):
         coque.load(tmp_path)

@@ -41,7 +41,7 @@
 //! | led event by event | [`Simulation`], `analyses/simulation.rs`; how far an analysis has come: `analyses/course.rs` |
 //! | which lattice reaches an accuracy | [`accuracy`] |
 //! | what is known to make a number wrong | `bodies/shell/warnings/`, `bodies/solid/warnings.rs`; the words: `warning.rs` |
-//! | what the folder of a run shows, for pages and pictures | `shown/`; [`page_of`] |
+//! | what the folder of a run shows, for pages and pictures | `shown/`; [`page_of`], of one in memory [`RunPage`] |
 //! | the words of the command line | `commands/`; [`command_line`] |
 //! | the curve, plots, a deformed shape as a picture | `results/` |
 //!
@@ -167,10 +167,11 @@ pub use analyses::{Estimate, Event, Kept, RunOptions, Simulation};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
     Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
-    LoadResultants, Memory, Mismatch, Model, Part, PrescribedPoint, Probe, Ready, Resultant, Shape, State,
-    StateArray, StaticBody, TangentCost, Task,
+    LoadResultants, Memory, Mismatch, Model, NoPush, Part, PrescribedPoint, Probe, Ready, Resultant, Shape,
+    State, StateArray, StaticBody, TangentCost, Task,
 };
 pub use commands::command_line;
+pub use explicit_dynamics::Exert;
 pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, SETS, Written};
 pub use mesh_io::{
     Array, At, Connectivity, FieldError, FieldWriter, Kind, ReadError, Rows, Sheet, Values, Whole, listed,
@@ -198,4 +199,5 @@ pub use scene::source::Source;
 pub use scene::units::{Force, Length, Quantity, Time, Units};
 pub use scene::{Checked, Scene};
 pub use shown::frames::page_of;
+pub use shown::page::RunPage;
 pub use warning::{Warning, WarningKind};

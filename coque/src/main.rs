@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    coque::command_line(std::env::args_os())
+    coque::command_line(std::env::args_os()).into()
 }

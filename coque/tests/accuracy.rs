@@ -4,6 +4,7 @@
 
 mod common;
 
+use std::ops::ControlFlow;
 use std::process::Command;
 use std::time::Duration;
 
@@ -17,7 +18,7 @@ fn asked(accuracy: f64) -> Asked {
 }
 
 fn forecast(scene: &Checked, accuracy: f64) -> Vec<Forecast> {
-    scene.forecast(&asked(accuracy), &mut |_, _| {}).unwrap()
+    scene.forecast(&asked(accuracy), &mut |_, _| ControlFlow::Continue(())).unwrap()
 }
 
 /// Particles of a lattice that is so many times as fine.

@@ -72,6 +72,7 @@ fn said(scene: Checked) -> String {
         output,
         source: _,
         surfaces: _,
+        arrays: _,
     } = scene.into_scene();
     format!("{:?}", (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, output))
 }

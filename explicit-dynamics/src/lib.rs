@@ -11,6 +11,7 @@
 //! | know the stable step | [`Dynamics::stable_step`], [`lanczos_step`], [`largest_eigenvalue`] |
 //! | watch, stop | a loop over [`March::advance`] or [`March::next_record`]; [`Event`], [`Record`] |
 //! | march a fluid with the structures in it | [`TwoClocks`], over [`BoundaryDriven`] and [`Wetted`] |
+//! | let a function exert forces on the particles of a system | [`Push`] |
 //! | keep a march and go on later, to the same bits | [`March::state`], [`MarchState`], [`March::resume`] |
 //!
 //! # The step
@@ -168,6 +169,7 @@ mod interface;
 mod linearised;
 mod march;
 mod march_state;
+mod push;
 mod quasi_static;
 mod record;
 mod recorded;
@@ -186,6 +188,7 @@ pub use interface::{BoundaryDriven, BoundaryLayout, BoundaryLoad, BoundaryState,
 pub use linearised::{LinearisedDynamics, MassScaled};
 pub use march::{Event, March, Plan};
 pub use march_state::{Hold, LevelUnderWay, MarchState, Stage};
+pub use push::{Exert, Push};
 pub use quasi_static::QuasiStatic;
 pub use record::{Balance, Record};
 pub use rest::{LevelReached, Missing, Sizes};

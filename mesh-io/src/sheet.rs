@@ -45,10 +45,12 @@ pub struct Sheet {
     pub point_data: BTreeMap<String, Array>,
     /// Fields at the cells.
     pub cell_data: BTreeMap<String, Array>,
+    /// Numbers of the whole frame, such as its time.
+    pub frame_data: BTreeMap<String, f64>,
 }
 
 impl Sheet {
-    /// Reads a file of a frame; numbers of the whole frame are passed over.
+    /// Reads a file of a frame.
     ///
     /// # Errors
     /// [`ReadError`] for a file that is missing or no sound frame.
@@ -73,13 +75,20 @@ impl Sheet {
             grid.arrays(section).map(|node| field(&grid, node, rows)).collect()
         };
         let (point_data, cell_data) = (fields("PointData", points.len())?, fields("CellData", cells.len())?);
-        Ok(Self { points, cells, point_data, cell_data })
+        let of_frame = |node| Ok((name_of(node)?, grid.numbers(node).map_err(what)?.real()));
+        let of_frame: Vec<(String, Vec<f64>)> =
+            grid.arrays_of_frame().map(of_frame).collect::<Result<_, String>>()?;
+        let single = |(name, numbers): (String, Vec<f64>)| {
+            <[f64; 1]>::try_from(numbers).ok().map(|[number]| (name, number))
+        };
+        let frame_data = of_frame.into_iter().filter_map(single).collect();
+        Ok(Self { points, cells, point_data, cell_data, frame_data })
     }
 }
 
 /// A field with its name; as many rows as there are points or cells.
 fn field(grid: &Grid<'_, '_>, node: Node<'_, '_>, rows: usize) -> Result<(String, Array), String> {
-    let name = node.attribute("Name").ok_or("an array has no name")?;
+    let name = name_of(node)?;
     let numbers = grid.numbers(node).map_err(|error| error.what)?.real();
     let width = node.attribute("NumberOfComponents").map_or(Some(1), |text| text.parse().ok());
     let width = width.filter(|width| (1..=MOST_COMPONENTS).contains(width));
@@ -90,7 +99,11 @@ fn field(grid: &Grid<'_, '_>, node: Node<'_, '_>, rows: usize) -> Result<(String
     let named = |i: usize| node.attribute(&*format!("ComponentName{i}")).map(String::from);
     let components = (0..width).map_while(named).collect();
     let unit = node.attribute("unit").map(String::from);
-    Ok((name.into(), Array { components, unit, width, numbers }))
+    Ok((name, Array { components, unit, width, numbers }))
+}
+
+fn name_of(node: Node<'_, '_>) -> Result<String, String> {
+    node.attribute("Name").map(String::from).ok_or_else(|| "an array has no name".into())
 }
 
 impl FieldWriter for Sheet {
@@ -118,8 +131,15 @@ impl FieldWriter for Sheet {
         values: Values<'_>,
     ) -> io::Result<()> {
         let (fields, needed) = match at {
-            // Where a frame stands is known to whoever asked for it.
-            At::Frame => return values.check(name, 1),
+            At::Frame => {
+                values.check(name, 1)?;
+                if let Values::Double(rows) = values
+                    && rows.width() == 1
+                {
+                    self.frame_data.extend(filled(rows).first().map(|&number| (name.into(), number)));
+                }
+                return Ok(());
+            }
             At::Points => (&mut self.point_data, self.points.len()),
             At::Cells => (&mut self.cell_data, self.cells.len()),
         };
@@ -180,6 +200,7 @@ mod tests {
         write(&mut sheet).unwrap();
         assert_eq!(Sheet::parse(&text()).unwrap(), sheet);
         assert_eq!(sheet.points[2], [1.0, 1.0, 0.5]);
+        assert_eq!(sheet.frame_data, [("level".to_string(), 0.5)].into());
         assert_eq!(sheet.cells, [vec![0, 1, 2, 3], vec![3, 2, 4]]);
         let moment = &sheet.cell_data["moment"];
         assert_eq!((moment.width, &moment.components[..]), (2, &["11".to_string(), "22".into()][..]));

@@ -1,6 +1,6 @@
 //! A body of nodes: what moves, what holds it, and what it resists with; what is read of it and what a checkpoint keeps.
 
-use explicit_dynamics::{Instant, Work};
+use explicit_dynamics::{Exert, Instant, Push, Work};
 use nalgebra::Matrix3;
 use sph_core::{Block, Vec3};
 
@@ -37,6 +37,8 @@ pub struct Solid {
     pub(crate) internal: Vec<Row>,
     /// Loads of the last evaluation \[F\]; empty without any.
     pub(crate) external: Vec<Vec3>,
+    /// Forces that a function exerts.
+    push: Option<Box<Push>>,
     /// What a fluid wets.
     pub(crate) wetted: Option<Box<Surface>>,
     pub(crate) constraints: Constraints,
@@ -116,6 +118,7 @@ impl Solid {
             masses,
             internal: vec![[0.0; 4]; count],
             external: if loads.is_empty() { Vec::new() } else { vec![Vec3::zeros(); count] },
+            push: None,
             wetted: None,
             constraints,
             loads,
@@ -284,6 +287,19 @@ impl Solid {
         if let Some(surface) = &self.wetted {
             surface.add(&self.rates, &mut self.external);
         }
+        if let Some(push) = &mut self.push {
+            let (rows, rates) = (&self.rows, &self.rates);
+            let forces = push.forces(at.time, |a| [vector(&rows[a]).into(), vector(&rates[a]).into()]);
+            for (sum, force) in self.external.iter_mut().zip(forces) {
+                *sum += Vec3::from(*force);
+            }
+        }
+    }
+
+    /// Lets a function exert forces on all nodes from now on, in marches.
+    pub fn push(&mut self, exert: Exert) {
+        self.external.resize(self.rest.len(), Vec3::zeros());
+        self.push = Some(Box::new(Push::new(self.block.len(), exert)));
     }
 }
 

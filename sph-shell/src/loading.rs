@@ -1,6 +1,6 @@
 //! What acts on a shell from outside: loads, springs and a fluid, and the rows in which their forces are summed.
 
-use explicit_dynamics::Instant;
+use explicit_dynamics::{Instant, Push};
 use sph_core::Vec3;
 
 use crate::conditions::case::LoadCase;
@@ -25,6 +25,8 @@ pub(crate) struct Loading {
     pub tools: Tools,
     /// What a fluid wets.
     pub wetted: Option<Box<Surface>>,
+    /// Forces that a function exerts.
+    pub push: Option<Box<Push>>,
     /// External forces; empty without loads.
     pub external: Vec<Row>,
     /// Forces of the springs on each particle; empty without springs on particles.
@@ -58,7 +60,14 @@ impl Loading {
             springs,
             tools,
             wetted,
+            push: None,
         }
+    }
+
+    /// Lets a function exert forces on so many particles.
+    pub fn push(&mut self, push: Push, particles: usize) {
+        self.external.resize(particles, [0.0; 6]);
+        self.push = Some(Box::new(push));
     }
 
     /// Load on a particle for the last forces evaluated \[F, F L\].
@@ -81,7 +90,7 @@ impl Loading {
         BodySprings { springs: &self.springs.of_bodies, junctions, reference, state }
     }
 
-    /// Evaluates the loads at an instant of the case that is under way, with the springs and what the fluid exerts.
+    /// Evaluates the loads at an instant of the case that is under way, with the springs, what the fluid and what a function exerts.
     pub fn evaluate(
         &mut self,
         at: Instant,
@@ -108,6 +117,7 @@ impl Loading {
         self.sum(Part::Rate { level }, scale, reference, dependents, motion);
     }
 
+    /// Sums the loads, each times a factor, with what tools exert; at an instant, with the springs and what a function exerts then.
     fn sum(
         &mut self,
         part: Part,
@@ -120,9 +130,12 @@ impl Loading {
             return;
         }
         dependents.ties.put(&mut motion.state);
-        let springs = matches!(part, Part::Whole(_));
-        self.evaluate_bodies(springs, &scale, reference, &mut dependents.junctions, &motion.state);
-        let Self { loads, case, springs: own, tools, wetted, external, spring_forces } = self;
+        let time = match part {
+            Part::Whole(at) => Some(at.time),
+            Part::Rate { .. } => None,
+        };
+        self.evaluate_bodies(time.is_some(), &scale, reference, &mut dependents.junctions, &motion.state);
+        let Self { loads, case, springs, tools, wetted, push, external, spring_forces } = self;
         let body = dependents.loaded(reference, &motion.state);
         external.fill([0.0; 6]);
         for applied in loads.iter() {
@@ -131,8 +144,15 @@ impl Loading {
         if let Some(surface) = wetted {
             surface.add(&motion.rates, external);
         }
-        if springs && !spring_forces.is_empty() {
-            own.forces(&body, spring_forces);
+        if let (Some(push), Some(time)) = (push, time) {
+            let vector = |row: &Row| [row[0], row[1], row[2]];
+            let of = |a: usize| [reference.from_zero(motion.place(a)).into(), vector(&motion.rates[a])];
+            for (sum, force) in external.iter_mut().zip(push.forces(time, of)) {
+                (0..3).for_each(|k| sum[k] += force[k]);
+            }
+        }
+        if time.is_some() && !spring_forces.is_empty() {
+            springs.forces(&body, spring_forces);
             for (sum, row) in external.iter_mut().zip(&*spring_forces) {
                 (0..6).for_each(|k| sum[k] += row[k]);
             }
@@ -203,5 +223,6 @@ impl Loading {
         size_of::<Row>() * (self.external.len() + self.spring_forces.len())
             + self.tools.bytes()
             + self.wetted.as_ref().map_or(0, |surface| surface.bytes())
+            + self.push.as_ref().map_or(0, |push| push.bytes())
     }
 }

@@ -1,7 +1,7 @@
 //! The shell: its motion, its forces, and what can be read from it.
 
 use contact::Touch;
-use explicit_dynamics::Instant;
+use explicit_dynamics::{Exert, Instant, Push};
 use shell_kinematics::StrainMeasure;
 use sph_core::Vec3;
 
@@ -302,6 +302,12 @@ impl Shell {
     pub(crate) fn evaluate_external(&mut self, at: Instant) {
         let Self { reference, dependents, motion, loading, .. } = self;
         loading.evaluate(at, reference, dependents, motion);
+    }
+
+    /// Lets a function exert forces on all particles from now on, in marches.
+    pub fn push(&mut self, exert: Exert) {
+        let particles = self.len();
+        self.loading.push(Push::new(particles, exert), particles);
     }
 
     /// Evaluates what a unit of level adds to the loads of the case that is under way.

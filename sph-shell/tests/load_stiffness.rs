@@ -15,8 +15,8 @@ use sph_shell::{
     Supported, SymmetryPlane, spread,
 };
 
-/// Every kind of load, on the edge given, and whether it follows the shell.
-fn loads(edge: &[(u32, f64)]) -> Vec<(&'static str, bool, Box<dyn Load>)> {
+/// Every kind of load on so many particles, on the edge given, and whether it follows the shell.
+fn loads(edge: &[(u32, f64)], particles: usize) -> Vec<(&'static str, bool, Box<dyn Load>)> {
     let edge = edge.to_vec();
     let couple = |axis| Box::new(EdgeCouple { edge: edge.clone(), moment: 0.7, axis });
     vec![
@@ -28,6 +28,14 @@ fn loads(edge: &[(u32, f64)]) -> Vec<(&'static str, bool, Box<dyn Load>)> {
             Box::new(PressurePatch {
                 pressure: Pressure { value: 1.3, follower: true },
                 cells: vec![2, 3, 7],
+                factors: Vec::new(),
+            })
+        }),
+        ("follower pressure that differs from particle to particle", true, {
+            Box::new(PressurePatch {
+                pressure: Pressure { value: 1.3, follower: true },
+                cells: vec![2, 3, 7],
+                factors: (0..particles).map(|a| 0.5 + 0.1 * a as f64).collect(),
             })
         }),
         ("couple about a fixed axis", true, couple(CoupleAxis::Fixed(Vec3::new(0.6, 0.0, 0.8)))),
@@ -42,7 +50,7 @@ fn the_stiffness_of_every_load_is_its_derivative() {
     {
         let edge: Vec<(u32, f64)> =
             cloud.sides.as_ref().unwrap().edge(Side::U1).iter().map(|&a| (a, 0.5)).collect();
-        for (name, follows, load) in loads(&edge) {
+        for (name, follows, load) in loads(&edge, cloud.len()) {
             let mut body =
                 shell(cloud.clone(), energy_formulations()[0].1, 0.2, strain_measures()[0], vec![], vec![]);
             shake(&mut body, 0.1, 4);
@@ -200,8 +208,9 @@ fn patches_of_pressure_add_up_to_the_whole() {
     };
     for follower in [false, true] {
         let pressure = Pressure { value: 1.3, follower };
-        let part =
-            |cells: std::ops::Range<u32>| of(Box::new(PressurePatch { pressure, cells: cells.collect() }));
+        let part = |cells: std::ops::Range<u32>| {
+            of(Box::new(PressurePatch { pressure, cells: cells.collect(), factors: Vec::new() }))
+        };
         let (whole, one, other) = (of(Box::new(pressure)), part(0..half), part(half..cells));
         assert!((one.force + other.force - whole.force).norm() < 1e-13 * whole.force.norm());
         assert!((one.moment + other.moment - whole.moment).norm() < 1e-13 * whole.force.norm());
@@ -225,7 +234,11 @@ fn areas_spread_over_cells_add_up_to_those_of_the_particles() {
 #[test]
 fn supports_bear_what_the_loads_are() {
     let pressure = Pressure { value: 0.3, follower: true };
-    let mut system = StaticShell::new(loaded(Box::new(PressurePatch { pressure, cells: (3..9).collect() })));
+    let mut system = StaticShell::new(loaded(Box::new(PressurePatch {
+        pressure,
+        cells: (3..9).collect(),
+        factors: Vec::new(),
+    })));
     let options = NewtonOptions { tolerance: 1e-12, iterations: 30, line_search: false, keep: 0.0 };
     Newton::new(&system, &options).unwrap().at_level(&mut system, 1.0).unwrap();
     system.evaluate(1.0);

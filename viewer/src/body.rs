@@ -169,6 +169,7 @@ mod tests {
             cells: vec![vec![0, 1, 2], vec![0, 2, 3]],
             point_data: [("displacement".to_string(), array(3, &[1.0, 0.0, 0.0].repeat(4)))].into(),
             cell_data: [("moment".to_string(), array(2, &[1.0, 10.0, 3.0, 30.0]))].into(),
+            ..Sheet::default()
         }
     }
 
@@ -207,7 +208,7 @@ mod tests {
             points: vec![[0.0; 3]],
             cells: vec![vec![0]],
             point_data: [(name.to_string(), array(1, &[x]))].into(),
-            cell_data: BTreeMap::new(),
+            ..Sheet::default()
         };
         for (name, x) in [("area", 4.0), ("volume", 8.0)] {
             let body = Body::new("water", &particles(name, x));

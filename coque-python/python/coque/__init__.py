@@ -8,11 +8,19 @@
 Every number has the unit of its scene; `docs/python.md` shows the rest.
 """
 
+import atexit as _atexit
+
+from ._coque import leave as _leave
 from ._coque import schema as _schema
 from ._errors import CoqueError, CoqueWarning, Diverged, Interrupted, NotSettled, SceneError
+from ._amplitude import amplitude
 from .mesh import Mesh
 from .result import Body, Curve, Frame, Result, load
-from .scene import Event, Progress, Scene, Steps, Sweep, sweep
+from .scene import Event, Progress, Scene, Steps, Sweep, resume, sweep
+from ._view import View
+
+# Runs of other threads end before the interpreter does.
+_atexit.register(_leave)
 
 __all__ = [
     "Body",
@@ -31,7 +39,10 @@ __all__ = [
     "SceneError",
     "Steps",
     "Sweep",
+    "View",
+    "amplitude",
     "load",
+    "resume",
     "schema",
     "sweep",
 ]

@@ -103,7 +103,7 @@ if TYPE_CHECKING:
     Geometry: TypeAlias = Union["Geometry_1", "Geometry_2", "Geometry_3", "Geometry_4", "Geometry_5"]
     Gravity = TypedDict("Gravity", {"acceleration": Sequence[float]})
     Held = TypedDict("Held", {"director": NotRequired[Sequence[Sequence[float]]], "displacement": NotRequired[Sequence[Sequence[float]]]})
-    Homogeneous = TypedDict("Homogeneous", {"gauss_points": NotRequired[int], "table": NotRequired["ThicknessTable"], "taper": NotRequired["Taper"], "thickness": float})
+    Homogeneous = TypedDict("Homogeneous", {"gauss_points": NotRequired[int], "table": NotRequired["ThicknessTable"], "taper": NotRequired["Taper"], "thickness": float, "values": NotRequired[str]})
     Imperfection = TypedDict("Imperfection", {"amplitude": float, "half_waves": NotRequired[Sequence[int]], "mode": NotRequired[int]})
     Influence: TypeAlias = Union[Literal['constant'], Literal['inverse'], Literal['linear']]
     InitialStress = TypedDict("InitialStress", {"axis": NotRequired[Sequence[float]], "bending": NotRequired[Sequence[float]], "membrane": NotRequired[Sequence[float]], "on": str})

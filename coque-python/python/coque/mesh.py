@@ -40,9 +40,11 @@ class Mesh:
 
     @staticmethod
     def of(given: Any) -> Mesh:
-        """A mesh of a `Mesh`, a pair of points and faces, a `meshio.Mesh` or a `pyvista.PolyData`."""
+        """A mesh of a `Mesh`, a pair of points and faces, a `meshio.Mesh`, a `pyvista.PolyData` or the module `gmsh`."""
         if isinstance(given, Mesh):
             return given
+        if hasattr(given, "model") and hasattr(given.model, "mesh"):
+            return Mesh.from_gmsh(given)
         if hasattr(given, "points") and hasattr(given, "cells_dict"):
             return Mesh.from_meshio(given)
         if hasattr(given, "points") and hasattr(given, "faces"):
@@ -82,6 +84,38 @@ class Mesh:
             faces.append(flat[at + 1 : at + 1 + flat[at]].tolist())
             at += 1 + int(flat[at])
         return Mesh(mesh.points, faces)
+
+    @staticmethod
+    def from_gmsh(gmsh: Any) -> Mesh:
+        """Triangles and quadrangles of the present model of the module `gmsh`, by their corners; physical groups of surfaces become sets of
+        faces, those of curves and points sets of points, by their names, else `physical-TAG`. Nodes without a face are left aside."""
+        tags, coordinates, _ = gmsh.model.mesh.getNodes()
+        known = {int(tag): row for tag, row in zip(tags, np.reshape(coordinates, (-1, 3)))}
+        faces: list[list[int]] = []
+        numbers: dict[int, int] = {}
+        for kind, elements, nodes in zip(*gmsh.model.mesh.getElements(2)):
+            _, _, _, count, _, corners = gmsh.model.mesh.getElementProperties(kind)
+            if corners not in (3, 4):
+                continue
+            for element, row in zip(elements, np.reshape(nodes, (-1, count))):
+                numbers[int(element)] = len(faces)
+                faces.append([int(node) for node in row[:corners]])
+        used = {tag: number for number, tag in enumerate(sorted({node for face in faces for node in face}))}
+        sets: dict[str, list[int]] = {}
+        face_sets: dict[str, list[int]] = {}
+        for dimension, tag in gmsh.model.getPhysicalGroups():
+            name = gmsh.model.getPhysicalName(dimension, tag) or f"physical-{tag}"
+            if dimension < 2:
+                nodes, _ = gmsh.model.mesh.getNodesForPhysicalGroup(dimension, tag)
+                sets[name] = sorted(used[int(node)] for node in nodes if int(node) in used)
+            elif dimension == 2:
+                of_group: set[int] = set()
+                for entity in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag):
+                    for elements in gmsh.model.mesh.getElements(2, entity)[1]:
+                        of_group.update(numbers[int(element)] for element in elements if int(element) in numbers)
+                face_sets[name] = sorted(of_group)
+        points = np.array([known[tag] for tag in used]).reshape(-1, 3)
+        return Mesh(points, [[used[node] for node in face] for face in faces], sets, face_sets)
 
 
 def _faces(given: Any) -> NDArray[np.uint32]:

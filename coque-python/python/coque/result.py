@@ -7,13 +7,14 @@ import json
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _coque
+from . import _coque, _view
 from ._errors import CoqueError, CoqueWarning, NotSettled
 
 if TYPE_CHECKING:
@@ -120,9 +121,9 @@ class Frame:
     along: float
     """What a film runs along: time, load level, number of the point of a path or of the mode."""
     level: Optional[float]
-    """Load level; frequency of a mode. None of a frame from a folder."""
+    """Load level; frequency of a mode. None of a file of an older version."""
     time: Optional[float]
-    """Time; zero where there is none. None of a frame from a folder."""
+    """Time; zero where there is none. None of a file of an older version."""
     bodies: dict[str, Body]
     """Its bodies by name."""
 
@@ -164,7 +165,9 @@ class _Files(Sequence[Frame]):
         if isinstance(at, slice):
             return _Files(self._frames[at])
         along, files = self._frames[at]
-        return Frame(along, None, None, {name: Body(_coque.read_frame(file)) for name, file in files.items()})
+        read = {name: _coque.read_frame(file) for name, file in files.items()}
+        level, time, _ = next(iter(read.values()))
+        return Frame(along, level, time, {name: Body(body) for name, (_, _, body) in read.items()})
 
 
 @dataclass(frozen=True)
@@ -183,9 +186,23 @@ class Result:
     """What may be wrong with its numbers."""
     frames: Sequence[Frame] = field(repr=False)
     """States on the way: those of [output.fields], or those that `fields=True` asked for."""
+    _scene: str = field(default="", repr=False)
+    _folder: Optional[Path] = field(default=None, repr=False)
+
+    def view(self, *, height: int = 560, size: float = 30.0) -> _view.View:
+        """The run as a page, which a notebook shows: shapes that turn, fields, frames, the curve. `size` bounds it, in megabytes: a page
+        that would be larger has fewer frames, then fewer fields, and says so."""
+        return _view.View(_view.page(self, size), height)
+
+    def save_view(self, path: Union[str, PathLike[str]], *, size: float = 30.0) -> None:
+        """The same page in a file, for a browser."""
+        self.view(size=size).save(path)
+
+    def _repr_html_(self) -> str:
+        return _view.table(self)
 
     @staticmethod
-    def _of(found: dict[str, Any]) -> Result:
+    def _of(found: dict[str, Any], scene: str = "", folder: Optional[Path] = None) -> Result:
         said = [CoqueWarning(message) for message in found.get("said", [])]
         return Result(
             curve=Curve(*found["curve"]),
@@ -194,6 +211,8 @@ class Result:
             message=found["message"],
             warnings=[*map(_warning, found["warnings"]), *said],
             frames=[Frame._of(shown) for shown in found.get("frames", [])],
+            _scene=scene,
+            _folder=folder,
         )
 
     def _warn(self, stacklevel: int) -> None:
@@ -221,7 +240,7 @@ def load(folder: Union[str, Path]) -> Result:
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise CoqueError(f"{folder} holds no results of a run that has ended: {error}") from error
     kind = "done" if ended == "done" else "interrupted" if ended.startswith("interrupted") else "diverged"
-    return Result(Curve(columns, numbers), summary, kind, ended, said, _files(folder / "fields", names))
+    return Result(Curve(columns, numbers), summary, kind, ended, said, _files(folder / "fields", names), _folder=folder)
 
 
 def _files(folder: Path, names: list[str]) -> _Files:

@@ -5,18 +5,23 @@ from __future__ import annotations
 import itertools
 import json
 import sys
+import threading
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, replace
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 from . import _coque, _toml
 from ._errors import CoqueError, Diverged, Interrupted
 from .mesh import Mesh
-from .result import Curve, Frame, Result, _warning
+from .result import Curve, Frame, Result, _warning, load
 
 if TYPE_CHECKING:
     from ._keys import SceneKeys
@@ -25,6 +30,14 @@ if TYPE_CHECKING:
         from typing import Unpack
     else:
         from typing_extensions import Unpack
+
+
+# As many as the command takes.
+_MOST_THREADS = 1024
+
+_Rows = NDArray[np.float64]
+Push = Callable[[float, _Rows, _Rows], Any]
+"""A function of time, positions and velocities that gives an array of a force on each particle."""
 
 
 class Progress(NamedTuple):
@@ -44,12 +57,35 @@ class Progress(NamedTuple):
     """Internal energy when it was last evaluated."""
 
 
+@dataclass(frozen=True)
+class _Brought:
+    """What a scene calls by name."""
+
+    meshes: dict[str, Mesh]
+    arrays: dict[str, NDArray[np.float64]]
+
+    @staticmethod
+    def of(meshes: Optional[Mapping[str, Any]], arrays: Optional[Mapping[str, ArrayLike]]) -> _Brought:
+        def numbers(name: str, given: ArrayLike) -> NDArray[np.float64]:
+            # A copy: a scene never changes.
+            array = np.array(given, dtype=np.float64)
+            if array.ndim != 1:
+                raise ValueError(f"the array {name} has the shape {array.shape}; it must have a number for each particle")
+            return array
+
+        found = {name: Mesh.of(mesh) for name, mesh in (meshes or {}).items()}
+        return _Brought(found, {name: numbers(name, given) for name, given in (arrays or {}).items()})
+
+    def handed_over(self) -> _coque._Brought:
+        return {name: mesh._arrays() for name, mesh in self.meshes.items()}, self.arrays
+
+
 class Scene:
     """A scene that has passed every check that needs no particles; never changed.
 
     `Scene("ring.toml")` reads a file, `Scene(text)` a text of more than one line, `Scene(dict)` and `Scene(title=…, units=…)` take Python's
     own values. `set` replaces values: `{"section.homogeneous.thickness": 0.2}`. `meshes` are those that `geometry.mesh.file` calls by their
-    names; whatever `Mesh.of` takes.
+    names; whatever `Mesh.of` takes. `arrays` are those that `values` calls by name: a number for each particle, in the order of `points()`.
 
     Raises `SceneError` for the first thing that is wrong, `OSError` for a file that cannot be read.
     """
@@ -61,6 +97,7 @@ class Scene:
         *,
         set: Optional[Mapping[str, Any]] = None,
         meshes: Optional[Mapping[str, Any]] = None,
+        arrays: Optional[Mapping[str, ArrayLike]] = None,
         **keys: Unpack[SceneKeys],
     ) -> None:
         if (given is None) == (not keys):
@@ -73,20 +110,20 @@ class Scene:
             origin = fspath(given)
             text = Path(origin).read_bytes().decode("utf-8")
         replaced = [(path, _toml.value(value)) for path, value in (set or {}).items()]
-        self._take(text, origin, replaced, {name: Mesh.of(mesh) for name, mesh in (meshes or {}).items()})
+        self._take(text, origin, replaced, _Brought.of(meshes, arrays))
 
-    def _take(self, text: str, origin: str, replaced: list[tuple[str, str]], meshes: dict[str, Mesh]) -> None:
-        self._text, self._origin, self._replaced, self._meshes = text, origin, replaced, meshes
-        self._scene = _coque.Scene(text, origin, replaced, {name: mesh._arrays() for name, mesh in meshes.items()})
+    def _take(self, text: str, origin: str, replaced: list[tuple[str, str]], brought: _Brought) -> None:
+        self._text, self._origin, self._replaced, self._brought = text, origin, replaced, brought
+        self._scene = _coque.Scene(text, origin, replaced, brought.handed_over())
 
     @classmethod
-    def _made(cls, text: str, origin: str, replaced: list[tuple[str, str]], meshes: dict[str, Mesh]) -> Scene:
+    def _made(cls, text: str, origin: str, replaced: list[tuple[str, str]], brought: _Brought) -> Scene:
         scene = cls.__new__(cls)
-        scene._take(text, origin, replaced, meshes)
+        scene._take(text, origin, replaced, brought)
         return scene
 
     def __reduce__(self) -> Any:
-        return Scene._made, (self._text, self._origin, self._replaced, self._meshes)
+        return Scene._made, (self._text, self._origin, self._replaced, self._brought)
 
     @property
     def text(self) -> str:
@@ -111,13 +148,20 @@ class Scene:
     def __repr__(self) -> str:
         return f"Scene({self.title!r}, {self.analysis})"
 
-    def with_(self, changes: Mapping[str, Any]) -> Scene:
-        """Another scene, in which some values are replaced."""
+    def with_(self, changes: Mapping[str, Any], *, arrays: Optional[Mapping[str, ArrayLike]] = None) -> Scene:
+        """Another scene, in which some values are replaced, with further arrays."""
         more = [(path, _toml.value(value)) for path, value in changes.items()]
-        return Scene._made(self._text, self._origin, [*self._replaced, *more], self._meshes)
+        further = _Brought.of(None, arrays)
+        brought = _Brought(self._brought.meshes, {**self._brought.arrays, **further.arrays})
+        return Scene._made(self._text, self._origin, [*self._replaced, *more], brought)
+
+    def points(self) -> NDArray[np.float64]:
+        """Builds it: the places of all particles at rest, a row each; several bodies stand one behind the other."""
+        return self._scene.points()
 
     def check(self, *, cost: bool = False, threads: int = 1) -> dict[str, Any]:
         """Builds it: `model` says what is modelled and left out, `warnings` what is doubtful; `cost`, if asked for, times a few steps."""
+        _checked(threads)
         found = self._scene.check(cost, threads)
         found["model"] = json.loads(found["model"])
         found["warnings"] = [_warning(said) for said in found["warnings"]]
@@ -130,19 +174,23 @@ class Scene:
         progress: Union[bool, Callable[[Progress], Any]] = False,
         fields: Optional[bool] = None,
         out: Union[str, PathLike[str], None] = None,
+        push: Optional[Push] = None,
         on_fail: str = "raise",
     ) -> Result:
         """Runs it; results are the same for any number of threads.
 
         `progress` shows a line on the standard error, or is called with a `Progress` some twenty times a second and ends the run by `False`.
         `fields` keeps frames in memory: `True` each, or every n-th as [output.fields] says, `False` none, nothing as the scene asks. `out` is a
-        folder for what `coque run` writes. `on_fail="return"` gives the result of a run that diverged in place of `Diverged`.
+        folder for what `coque run` writes. `push(t, x, v)` is called in every step with the time, all positions and all velocities, those of
+        half a step before, and gives an array of a force on each particle; `x` and `v` are good for the call only. It is for a shell or a
+        solid alone in `explicit.transient`, and such a run keeps no checkpoint. `on_fail="return"` gives the result of a run that diverged in place of `Diverged`.
 
-        Raises `SceneError`, `Diverged`, `Interrupted` at Ctrl-C, `CoqueError` for a folder that cannot be written.
+        Raises `SceneError`, `Diverged`, `Interrupted` at Ctrl-C, `CoqueError` for a folder that cannot be written; what a callback raises, with
+        what was found so far in its `result`.
         """
         if on_fail not in ("raise", "return"):
             raise ValueError(f'on_fail is {on_fail!r}; it must be "raise" or "return"')
-        result = self._run(threads, _listener(progress), fields, out, on_fail)
+        result = self._run(threads, _listener(progress), fields, out, on_fail, push)
         result._warn(stacklevel=2)
         return result
 
@@ -153,30 +201,98 @@ class Scene:
         fields: Optional[bool],
         out: Union[str, PathLike[str], None],
         on_fail: str,
+        push: Optional[Push] = None,
     ) -> Result:
-        def tell(*news: Any) -> Any:
-            return listener(Progress(*news)) if listener else None
+        def exert(time: float, positions: _Rows, velocities: _Rows) -> _Rows:
+            assert push is not None
+            forces = np.ascontiguousarray(push(time, positions, velocities), dtype=np.float64)
+            if forces.shape != positions.shape:
+                raise ValueError(f"push gave an array of {forces.shape}; it must be one of {positions.shape}, a force on each particle")
+            return forces
 
-        if threads < 1:
-            raise ValueError(f"threads is {threads}; it must be at least 1")
-        folder = None if out is None else fspath(out)
-        try:
-            found = self._scene.run(threads, tell if listener else None, fields, folder)
-        finally:
-            if isinstance(listener, _Line):
-                listener.close()
-        result = Result._of(found)
-        raised: Optional[BaseException] = found["raised"]
-        if isinstance(raised, KeyboardInterrupt):
-            raise Interrupted(result.message, result) from None
-        if raised is not None:
-            raise raised
+        _checked(threads)
+        folder = None if out is None else Path(out)
+        with _heard(listener) as tell:
+            found = self._scene.run(threads, tell, fields, folder, None if push is None else exert)
+        result = Result._of(found, self._text, folder)
+        _raise(found, result)
         _fail(result, on_fail)
         return result
 
+    def forecast(self, accuracy: float, *, within: float = 60.0, threads: int = 1) -> list[dict[str, Any]]:
+        """Runs it on ever finer lattices, for so many seconds each method, to tell which lattice, method and analysis have an error of at most
+        `accuracy`, a share of the greatest value of each column (0.005 for half a percent): a row per method with `method`, the `runs` that
+        tell, and, where it can be told, `lattice`, `spacing` over that of the scene, `particles`, `error`, `seconds`, `bytes` and whether it
+        `ran` or is predicted. Ctrl-C ends it behind the lattice that is under way.
+
+        Raises `SceneError`, `CoqueError` where nothing can be told.
+        """
+        if not 1e-6 <= accuracy <= 0.5 or not 0.1 <= within <= 86_400.0:
+            raise ValueError("accuracy must be from 1e-6 to 0.5, within from 0.1 to 86400 seconds")
+        _checked(threads)
+        return _coque.forecast(self._scene, accuracy, within, threads)
+
     def steps(self, *, threads: int = 1, records: bool = False) -> Steps:
         """The run, led by whoever loops over it: an event is a step, a record or a level; with `records` each row of the curve."""
+        _checked(threads)
         return Steps(self._scene.simulation(threads), records)
+
+
+def resume(
+    folder: Union[str, PathLike[str]],
+    *,
+    threads: Optional[int] = None,
+    progress: Union[bool, Callable[[Progress], Any]] = False,
+    meshes: Optional[Mapping[str, Any]] = None,
+    arrays: Optional[Mapping[str, ArrayLike]] = None,
+    on_fail: str = "raise",
+) -> Result:
+    """Goes on with the run in a folder from its checkpoint (`output.checkpoint_every`), to the same bits; its frames are those of the folder.
+
+    Threads are as many as before where nothing is said. `meshes` and `arrays` are those that its scene calls by name. Raises as `Scene.run`, and
+    `CoqueError` for a folder without a checkpoint.
+    """
+    listener, folder = _listener(progress), Path(folder)
+    _checked(1 if threads is None else threads)
+    brought = _Brought.of(meshes, arrays)
+    with _heard(listener) as tell:
+        found = _coque.resume(folder, brought.handed_over(), threads, tell)
+    result = replace(Result._of(found), frames=load(folder).frames, _folder=folder)
+    _raise(found, result)
+    _fail(result, on_fail)
+    result._warn(stacklevel=2)
+    return result
+
+
+def _checked(threads: int) -> None:
+    if not 1 <= threads <= _MOST_THREADS:
+        raise ValueError(f"threads is {threads}; it must be at least 1 and at most {_MOST_THREADS}")
+
+
+@contextmanager
+def _heard(listener: Optional[Callable[[Progress], Any]]) -> Iterator[Optional[Callable[..., Any]]]:
+    """The listener as Rust calls it; its line is taken away behind the run."""
+
+    def tell(*news: Any) -> Any:
+        return listener(Progress(*news)) if listener else None
+
+    try:
+        yield tell if listener else None
+    finally:
+        if isinstance(listener, _Line):
+            listener.close()
+
+
+def _raise(found: dict[str, Any], result: Result) -> None:
+    """Raises what ended a run from outside, with what was found before."""
+    raised: Optional[BaseException] = found["raised"]
+    if isinstance(raised, KeyboardInterrupt):
+        raise Interrupted(result.message, result) from None
+    if raised is not None:
+        # Exceptions of other packages may take no attributes.
+        with suppress(AttributeError, TypeError):
+            raised.result = result  # type: ignore[attr-defined]
+        raise raised
 
 
 def _fail(result: Result, on_fail: str) -> None:
@@ -297,11 +413,18 @@ def sweep(scene: Scene, over: Mapping[str, Sequence[Any]], *, workers: int = 1, 
     """
     every = [dict(zip(over, values)) for values in itertools.product(*over.values())]
     scenes = [scene.with_(values) for values in every]
+    left = threading.Event()
+
+    def goes_on(_: Progress) -> bool:
+        return not left.is_set()
+
     with ThreadPoolExecutor(max_workers=workers) as pool:
-        runs = [pool.submit(one._run, 1, None, fields, None, "return") for one in scenes]
+        runs = [pool.submit(one._run, 1, goes_on, fields, None, "return") for one in scenes]
         try:
             results = [run.result() for run in runs]
         except BaseException:
+            # Runs under way end soon; the interpreter waits for them.
+            left.set()
             pool.shutdown(wait=False, cancel_futures=True)
             raise
     said = {(warning.word, str(warning)): warning for result in results for warning in result.warnings}

@@ -79,11 +79,15 @@ pub struct Ladder {
 }
 
 impl Ladder {
-    /// Climbs until the accuracy is reached on the finest lattice, or the time is over.
+    /// Climbs until the accuracy is reached on the finest lattice, the time is over, or `tell` ends it.
     ///
     /// # Errors
     /// [`SceneError`] of the scene on its own lattice or a finer one; words for a run that failed there.
-    pub fn climb(scene: &Checked, asked: &Asked, tell: &mut dyn FnMut(&Rung)) -> Result<Self, ClimbError> {
+    pub fn climb(
+        scene: &Checked,
+        asked: &Asked,
+        tell: &mut dyn FnMut(&Rung) -> ControlFlow<()>,
+    ) -> Result<Self, ClimbError> {
         let Asked { accuracy, within, lattices, threads } = *asked;
         let begun = Instant::now();
         let mut ladder = Self::default();
@@ -98,9 +102,12 @@ impl Ladder {
                 Ok(Some(rung)) => {
                     // Whole numbers of cells may leave the longest edge as it was.
                     if ladder.rungs.last().is_none_or(|last| rung.spacing < last.spacing) {
-                        tell(&rung);
+                        let flow = tell(&rung);
                         ladder.rungs.push(rung);
                         ladder.estimate();
+                        if flow.is_break() {
+                            break;
+                        }
                     }
                 }
                 Ok(None) => break,

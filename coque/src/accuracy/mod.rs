@@ -12,6 +12,7 @@ mod ladder;
 mod methods;
 mod refined;
 
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 pub use convergence::Convergence;
@@ -68,18 +69,27 @@ pub struct Needed {
 }
 
 impl Checked {
-    /// What its own method and others with the same answer will take for an accuracy; `tell` hears of every run.
+    /// What its own method and others with the same answer will take for an accuracy; `tell` hears of every run and
+    /// may end the forecast, which then rests on what was run.
     ///
     /// # Errors
     /// [`ClimbError`] if the scene itself is refused or measures nothing; other methods that fail are left out.
     pub fn forecast(
         &self,
         asked: &Asked,
-        tell: &mut dyn FnMut(&str, &Rung),
+        tell: &mut dyn FnMut(&str, &Rung) -> ControlFlow<()>,
     ) -> Result<Vec<Forecast>, ClimbError> {
         let mut forecasts = Vec::new();
+        let mut flow = ControlFlow::Continue(());
         for (method, scene) in methods::methods(self) {
-            match Ladder::climb(&scene, asked, &mut |rung| tell(&method, rung)) {
+            if flow.is_break() {
+                break;
+            }
+            let mut tell = |rung: &Rung| {
+                flow = tell(&method, rung);
+                flow
+            };
+            match Ladder::climb(&scene, asked, &mut tell) {
                 Ok(ladder) => {
                     let needed = needed(&scene, &ladder, asked.accuracy);
                     forecasts.push(Forecast { method, ladder, needed });

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use explicit_dynamics::Dynamics;
+use explicit_dynamics::{Dynamics, Exert};
 use implicit_statics::Equilibrium;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
@@ -71,6 +71,14 @@ pub trait Body: Send {
 pub trait DynamicBody: Body + Dynamics {
     /// Looks at itself where a run records, at a time \[T\]: what it sees is in [`Body::diagnostics`].
     fn look(&mut self, _time: f64) {}
+
+    /// Lets a function exert forces on its particles from now on; the function comes back from a body that cannot.
+    ///
+    /// # Errors
+    /// The function.
+    fn push(&mut self, exert: Exert) -> Result<(), Exert> {
+        Err(exert)
+    }
 
     /// The same body without time, for a look at the tangent of the state at which it rests; none without an energy.
     fn at_rest(&mut self) -> Option<Box<dyn StaticBody + '_>> {

@@ -42,6 +42,6 @@ pub use field_source::{FieldRequest, FieldSource, Part, State};
 pub use figures::FluidFigures;
 pub use memory::Memory;
 pub(crate) use model::Identity;
-pub use model::{Model, Task};
+pub use model::{Model, NoPush, Task};
 pub use probe::Probe;
 pub use resultants::{LoadResultants, Resultant};

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use explicit_dynamics::Exert;
 use sph_core::Cell;
 
 use super::body::{Description, PrescribedPoint, Ready, Shape};
@@ -57,6 +58,22 @@ pub struct Model {
     pub(crate) judge: Option<ShapeJudge>,
 }
 
+/// Why no function can exert forces on a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoPush {
+    /// Its analysis has loads of its scene only.
+    #[error(
+        "a function exerts forces only where time passes, in analysis.explicit.transient, not in {0}; \
+         give the scene a load in its place"
+    )]
+    Timeless(&'static str),
+    /// It is of another kind.
+    #[error(
+        "a function exerts forces on a shell or a solid that is alone in its scene, not on a body of the kind {0}"
+    )]
+    Body(&'static str),
+}
+
 /// Looks for warnings in the shapes that a body of such cells took.
 pub(crate) type ShapeJudge = Box<dyn Fn(&[Cell], &[Shape]) -> Vec<Warning> + Send>;
 
@@ -90,6 +107,24 @@ impl Model {
     /// What is known beforehand to make its numbers wrong, and why.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    /// Lets a function of the caller exert forces on the particles in every step in time; their work is external. Such a run keeps no
+    /// checkpoint: what the function remembers is not its own.
+    ///
+    /// # Errors
+    /// [`NoPush`] of an analysis in which no time passes, and of bodies other than a shell or a solid alone.
+    pub fn push(&mut self, exert: Exert) -> Result<(), NoPush> {
+        let kind = self.task.analysis.kind();
+        let Ready::Dynamic(body) = &mut self.body else { return Err(NoPush::Timeless(kind.name)) };
+        if !kind.passes_time {
+            return Err(NoPush::Timeless(kind.name));
+        }
+        body.push(exert).map_err(|_| NoPush::Body(self.description.kind))?;
+        self.task.output.checkpoint_every = None;
+        self.description.left_out.retain(|line| line != "loads");
+        self.description.modelled.push("forces that a function of the caller exerts".into());
+        Ok(())
     }
 
     /// The columns of the analysis with their units, and those of the probes.

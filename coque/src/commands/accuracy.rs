@@ -1,5 +1,6 @@
 //! `coque check --accuracy`: the lattice, method and analysis that an accuracy takes, as a table.
 
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 use crate::Checked;
@@ -33,6 +34,7 @@ pub fn carry_out(scene: &Checked, accuracy: f64, within: f64, threads: usize) ->
     let asked = Asked { accuracy, within: Duration::from_secs_f64(within), lattices: LATTICES, threads };
     let reported = scene.forecast(&asked, &mut |method, rung| {
         say(&format!("{method}: {} in {}", rung.lattice, time(rung.seconds)));
+        ControlFlow::Continue(())
     });
     let forecasts = reported.map_err(|error| match error {
         ClimbError::Refused(error) => Refused::scene(&error),

@@ -17,7 +17,6 @@ mod templates;
 mod view;
 
 use std::ffi::OsString;
-use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::{Parser, Subcommand};
@@ -85,10 +84,10 @@ Start here:
 
 Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 4 done but short of what was asked, 130 interrupted.";
 
-/// Obeys the arguments of a command line, the first of which is the name of the program; what the command `coque` is.
+/// Obeys the arguments of a command line, the first of which is the name of the program; what the command `coque` is. Returns the exit code.
 ///
 /// Words for people go to the standard error, tables and texts that were asked for to the standard output.
-pub fn command_line(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+pub fn command_line(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     // First of all: a signal for which nobody watches ends the program as it stands.
     let stop = Stop::watch();
     outlive_file_limits();
@@ -96,14 +95,14 @@ pub fn command_line(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(cli) => cli.command,
         Err(said) => {
             let _ = said.print();
-            return ExitCode::from(if said.use_stderr() { BAD_INPUT } else { DONE });
+            return if said.use_stderr() { BAD_INPUT } else { DONE };
         }
     };
     match stop.map_err(Refused::from).and_then(|stop| obey(command, &stop)) {
-        Ok(code) => ExitCode::from(code),
+        Ok(code) => code,
         Err(refused) => {
             refused.say();
-            ExitCode::from(BAD_INPUT)
+            BAD_INPUT
         }
     }
 }

@@ -66,13 +66,13 @@ impl<'a> Frame<'a> {
     /// Works out what the frame shows, once for all its parts.
     pub fn evaluate(&self, stresses: bool) -> FrameFields<'a> {
         let fields = self.body.fields(&FieldRequest { stresses, ..self.shown });
-        FrameFields { along: self.along, level: self.level, fields }
+        FrameFields { along: self.along, level: self.level, time: self.time, fields }
     }
 
     /// The same for one of the bodies that the body is made of ([`Body::bodies`]).
     pub fn evaluate_one(&self, body: usize, stresses: bool) -> FrameFields<'a> {
         let fields = self.body.fields_of(body, &FieldRequest { stresses, ..self.shown });
-        FrameFields { along: self.along, level: self.level, fields }
+        FrameFields { along: self.along, level: self.level, time: self.time, fields }
     }
 
     /// The frame in memory: its surface, as [`FieldFiles`] writes it, of several bodies all together.
@@ -100,6 +100,7 @@ impl<'a> Frame<'a> {
 pub struct FrameFields<'a> {
     along: f64,
     level: f64,
+    time: f64,
     fields: Box<dyn FieldSource + 'a>,
 }
 
@@ -109,7 +110,7 @@ impl FrameFields<'_> {
     /// # Errors
     /// Those of the writer.
     pub fn write(&self, part: Part, to: &mut dyn FieldWriter) -> io::Result<()> {
-        for (name, value) in [("TimeValue", self.along), ("level", self.level)] {
+        for (name, value) in [("TimeValue", self.along), ("level", self.level), ("time", self.time)] {
             to.numbers(At::Frame, name, "-", &[], Values::Double(&rows(1, |_| [value])))?;
         }
         self.fields.write(part, to)

@@ -200,6 +200,7 @@ mod tests {
             point_data: [("displacement".to_string(), displacement)].into(),
             cell_data: [("von_mises_top".to_string(), single(&[2.0, 6.0])), ("moment".to_string(), moment)]
                 .into(),
+            ..Sheet::default()
         }
     }
 

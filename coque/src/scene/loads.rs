@@ -64,14 +64,23 @@ pub enum Axis {
 }
 
 /// Pressure.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pressure {
-    /// Along the normal of a shell; on the face of a solid against its outward normal \[F/L²\].
-    pub value: f64,
+    /// Along the normal of a shell; on the face of a solid against its outward normal \[F/L²\]. May be left out, as one, beside `values`.
+    pub value: Option<f64>,
+    /// Name of an array in memory with a number for each particle of a shell, which multiplies `value` there; Python brings such arrays.
+    pub values: Option<String>,
     /// Whether it follows the deformed surface.
     #[serde(default)]
     pub follower: bool,
+}
+
+impl Pressure {
+    /// Its value \[F/L²\], which numbers by particle may multiply.
+    pub fn value(&self) -> f64 {
+        self.value.unwrap_or(1.0)
+    }
 }
 
 /// Weight.
@@ -94,7 +103,7 @@ pub struct Traction {
 }
 
 /// The one kind of a [`Load`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum LoadKind {
     /// See [`Load::force`].
     Force(Force),
@@ -116,7 +125,8 @@ impl Load {
     /// of a shell ask for no set.
     pub fn acts_on_cells(&self) -> bool {
         let by_area = self.traction.is_some() || self.force.is_some_and(|force| force.by_area);
-        by_area || (self.on != "all" && (self.pressure.is_some() || self.gravity.is_some()))
+        let uneven = self.pressure.as_ref().is_some_and(|pressure| pressure.values.is_some());
+        by_area || uneven || (self.on != "all" && (self.pressure.is_some() || self.gravity.is_some()))
     }
 
     /// Every kind that is given, with its key; a checked scene has exactly one.
@@ -124,7 +134,7 @@ impl Load {
         [
             self.force.map(LoadKind::Force),
             self.couple.map(LoadKind::Couple),
-            self.pressure.map(LoadKind::Pressure),
+            self.pressure.clone().map(LoadKind::Pressure),
             self.gravity.map(LoadKind::Gravity),
             self.traction.map(LoadKind::Traction),
         ]

@@ -59,6 +59,9 @@ pub struct Scene {
     /// Surfaces in memory, by the names under which `geometry.mesh.file` calls them; other names are files.
     #[serde(skip)]
     pub surfaces: BTreeMap<String, Arc<Arrays>>,
+    /// Numbers by particle in memory, by the names under which `values` calls them.
+    #[serde(skip)]
+    pub arrays: BTreeMap<String, Arc<Vec<f64>>>,
     /// The text the scene was read from.
     #[serde(skip, default = "Source::none")]
     pub source: Source,

@@ -120,6 +120,13 @@ impl<'a, 'i> Grid<'a, 'i> {
         nodes.filter(|node| node.has_tag_name("DataArray"))
     }
 
+    /// The arrays of the whole frame.
+    pub fn arrays_of_frame(&self) -> impl Iterator<Item = Node<'a, 'i>> {
+        let beside = self.piece.parent().into_iter().flat_map(|grid| grid.children());
+        let section = beside.filter(|node| node.has_tag_name("FieldData"));
+        section.flat_map(|section| section.children()).filter(|node| node.has_tag_name("DataArray"))
+    }
+
     fn piece(&self, name: &str) -> Result<Node<'a, 'i>, XmlError> {
         let found = self.piece.children().find(|node| node.has_tag_name(name));
         let what = || format!("the piece has no <{name}>");

@@ -29,16 +29,19 @@ pub struct PressurePatch {
     pub pressure: Pressure,
     /// Cells on which it acts, each once.
     pub cells: Vec<u32>,
+    /// What multiplies it at each particle of the shell \[–\]; one everywhere where there is none.
+    pub factors: Vec<f64>,
 }
 
 impl Pressure {
-    /// Adds the load of some cells.
+    /// Adds the load of some cells, times a factor at each corner.
     fn add_of<'a>(
         &self,
         cells: impl IntoIterator<Item = &'a Cell>,
         scale: f64,
         body: &Body<'_>,
         forces: &mut [[f64; 6]],
+        factor: impl Fn(u32) -> f64,
     ) {
         let cloud = &body.reference.cloud;
         let place = |a: u32| -> Vec3 {
@@ -50,8 +53,9 @@ impl Pressure {
             let area = (r - p).cross(&(s - q)) * 0.5;
             let part = area * (scale * self.value / f64::from(cell.count));
             for &corner in &cell.corners[..cell.count as usize] {
+                let own = part * factor(corner);
                 for i in 0..3 {
-                    forces[corner as usize][i] += part[i];
+                    forces[corner as usize][i] += own[i];
                 }
             }
         }
@@ -65,19 +69,19 @@ impl Pressure {
         scale: f64,
         body: &Body<'_>,
         put: &mut dyn FnMut(u32, u32, &Block),
+        factor: impl Fn(u32) -> f64,
     ) {
         if !self.follower {
             return;
         }
         for cell in cells {
             let [p, q, r, s] = cell.corners.map(|a| position(&body.state[a as usize]));
-            let factor = 0.5 * scale * self.value / f64::from(cell.count);
-            let [across_u, across_v] = [r - p, s - q].map(|diagonal| diagonal.cross_matrix() * factor);
+            let each = 0.5 * scale * self.value / f64::from(cell.count);
+            let [across_u, across_v] = [r - p, s - q].map(|diagonal| diagonal.cross_matrix() * each);
             let by_corner = [across_v, -across_u, -across_v, across_u];
             for (&moved, change) in cell.corners.iter().zip(&by_corner) {
-                let block = place_block(0, 0, change);
                 for &pushed in &cell.corners[..cell.count as usize] {
-                    put(pushed, moved, &block);
+                    put(pushed, moved, &place_block(0, 0, &(change * factor(pushed))));
                 }
             }
         }
@@ -86,11 +90,11 @@ impl Pressure {
 
 impl Load for Pressure {
     fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
-        self.add_of(&body.reference.cloud.cells, scale, body, forces);
+        self.add_of(&body.reference.cloud.cells, scale, body, forces, |_| 1.0);
     }
 
     fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
-        self.stiffness_of(&body.reference.cloud.cells, scale, body, put);
+        self.stiffness_of(&body.reference.cloud.cells, scale, body, put, |_| 1.0);
     }
 
     fn check(&self, _: &Reference) -> Result<(), ShellError> {
@@ -99,6 +103,10 @@ impl Load for Pressure {
 }
 
 impl PressurePatch {
+    fn factor(&self, particle: u32) -> f64 {
+        self.factors.get(particle as usize).copied().unwrap_or(1.0)
+    }
+
     fn own<'a>(&'a self, body: &'a Body<'_>) -> impl Iterator<Item = &'a Cell> {
         self.cells.iter().map(|&cell| &body.reference.cloud.cells[cell as usize])
     }
@@ -106,14 +114,19 @@ impl PressurePatch {
 
 impl Load for PressurePatch {
     fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
-        self.pressure.add_of(self.own(body), scale, body, forces);
+        self.pressure.add_of(self.own(body), scale, body, forces, |particle| self.factor(particle));
     }
 
     fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
-        self.pressure.stiffness_of(self.own(body), scale, body, put);
+        self.pressure.stiffness_of(self.own(body), scale, body, put, |particle| self.factor(particle));
     }
 
     fn check(&self, reference: &Reference) -> Result<(), ShellError> {
+        let count = reference.cloud.len();
+        if !self.factors.is_empty() && self.factors.len() != count {
+            let particle = self.factors.len() as u32;
+            return Err(ShellError::NoSuchParticle { what: "a factor of a pressure", particle, count });
+        }
         check_cells("a pressure", &self.cells, &reference.cloud)
     }
 }

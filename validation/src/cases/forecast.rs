@@ -1,5 +1,6 @@
 //! accuracy-forecast: lattices that `coque check --accuracy` predicts from four coarse ones, run and held against finer ones.
 
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 use coque::Scene;
@@ -72,7 +73,7 @@ fn forecast(problem: &Problem, accuracy: f64) -> Result<Outcome, ClimbError> {
     let scene = Scene::with_overrides(problem.text, problem.name, &set)?;
     // The number of lattices ends the runs, not the time: the same forecast on any machine.
     let asked = Asked { accuracy, within: Duration::from_secs(3600), lattices: LATTICES, threads: 1 };
-    let forecasts = scene.forecast(&asked, &mut |_, _| {})?;
+    let forecasts = scene.forecast(&asked, &mut |_, _| ControlFlow::Continue(()))?;
     let needed = forecasts.first().and_then(|forecast| forecast.needed.clone());
     let needed = needed.ok_or_else(|| ClimbError::Silent("nothing was forecast".into()))?;
     let reached = Rung::at(&scene, 1.0 / needed.spacing, 1)?;

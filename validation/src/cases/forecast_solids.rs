@@ -1,5 +1,6 @@
 //! accuracy-forecast-solids: what `coque check --accuracy` forecasts for solids, held against closed forms.
 
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 use coque::Scene;
@@ -119,7 +120,7 @@ fn forecast(problem: &Problem, accuracy: f64) -> Result<Outcome, ClimbError> {
     let scene = Scene::with_overrides(problem.text, problem.name, &set)?;
     // The number of lattices ends the runs, not the time: the same forecast on any machine.
     let asked = Asked { accuracy, within: Duration::from_secs(3600), lattices: LATTICES, threads: 1 };
-    let forecasts = scene.forecast(&asked, &mut |_, _| {})?;
+    let forecasts = scene.forecast(&asked, &mut |_, _| ControlFlow::Continue(()))?;
     let silent = || ClimbError::Silent("nothing was forecast".into());
     let forecast = forecasts.first().ok_or_else(silent)?;
     let finest = forecast.ladder.rungs.last().ok_or_else(silent)?;

@@ -128,9 +128,9 @@ pub(super) fn loads(
             let faces = places.faces(cells, sets, &path, load.on)?;
             out.push(Load::Traction { faces, traction: Vec3::from(value) });
         }
-        if let Some(pressure) = load.pressure {
+        if let Some(pressure) = &load.pressure {
             let faces = places.faces(cells, sets, &path, load.on)?;
-            out.push(Load::Pressure { faces, pressure: pressure.value });
+            out.push(Load::Pressure { faces, pressure: pressure.value() });
         }
     }
     Ok(out)

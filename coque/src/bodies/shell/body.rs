@@ -2,7 +2,7 @@
 
 use std::ops::DerefMut;
 
-use explicit_dynamics::Dynamics;
+use explicit_dynamics::{Dynamics, Exert};
 use sph_core::Vec3;
 use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
 
@@ -85,6 +85,11 @@ impl Body for Shell {
 }
 
 impl DynamicBody for Shell {
+    fn push(&mut self, exert: Exert) -> Result<(), Exert> {
+        Shell::push(self, exert);
+        Ok(())
+    }
+
     fn at_rest(&mut self) -> Option<Box<dyn StaticBody + '_>> {
         match self.formulation() {
             Formulation::StrongForm { .. } => None,

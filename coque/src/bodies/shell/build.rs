@@ -309,7 +309,9 @@ impl Builder<'_> {
                 false => applied,
             };
             if load.acts_on_cells() {
-                let found = self.load_on_cells(load, cells.at(&path, load.on)?, sections, cloud);
+                let factors = self.factors(load, cloud.len())?;
+                let cells = cells.at(&path, load.on)?;
+                let found = self.load_on_cells(load, cells, factors, sections, cloud);
                 loads.extend(found.into_iter().map(of_case));
                 continue;
             }
@@ -342,7 +344,7 @@ impl Builder<'_> {
                     Axis::Fixed(axis) => CoupleAxis::Fixed(self.turned(axis).normalize()),
                 },
             }),
-            LoadKind::Pressure(p) => Box::new(sph_shell::Pressure { value: p.value, follower: p.follower }),
+            LoadKind::Pressure(p) => Box::new(sph_shell::Pressure { value: p.value(), follower: p.follower }),
             LoadKind::Gravity(g) => {
                 Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) })
             }
@@ -356,6 +358,7 @@ impl Builder<'_> {
         &self,
         load: &scene::Load,
         cells: Vec<u32>,
+        factors: Vec<f64>,
         sections: &Sections,
         cloud: &Cloud,
     ) -> Vec<AppliedLoad> {
@@ -376,8 +379,9 @@ impl Builder<'_> {
                     dead(masses, total)
                 }
                 LoadKind::Pressure(p) => Box::new(sph_shell::PressurePatch {
-                    pressure: sph_shell::Pressure { value: p.value, follower: p.follower },
+                    pressure: sph_shell::Pressure { value: p.value(), follower: p.follower },
                     cells: cells.clone(),
+                    factors: factors.clone(),
                 }),
                 LoadKind::Couple(_) => return None,
             })

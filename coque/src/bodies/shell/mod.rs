@@ -1,5 +1,6 @@
 //! Shells of one layer of particles: from the scene's words to `sph-shell`.
 
+mod arrays;
 mod attached;
 mod balance;
 mod body;

@@ -148,9 +148,7 @@ impl Builder<'_> {
         let strain = self.strain(shell, at)?;
         match shell.material_section(at)? {
             MaterialSection::OfFile(..) => self.alike_in_file(shell, at, &cells, imported),
-            MaterialSection::Homogeneous(_, section)
-                if section.taper.is_some() || section.table.is_some() =>
-            {
+            MaterialSection::Homogeneous(_, section) if section.varies() => {
                 let spec = self.spec(shell, at)?;
                 let thickness = self.thicknesses(section, at, &cells, cloud)?;
                 let one = |(cell, thickness): (u32, f64)| UniformPart {

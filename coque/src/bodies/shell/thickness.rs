@@ -5,12 +5,14 @@ use std::path::Path;
 
 use sph_core::{CellList, Cloud, Vec3};
 
+use super::arrays::by_particle;
 use super::build::Builder;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
 use crate::scene::{Homogeneous, Taper, ThicknessTable};
 
 const TABLE: &str = "section.homogeneous.table";
+const VALUES: &str = "section.homogeneous.values";
 
 /// Rows of a table: places and numbers.
 struct Table {
@@ -32,8 +34,17 @@ impl Builder<'_> {
     ) -> Result<Vec<f64>, SceneError> {
         let own = section.thickness.get();
         let centre = |cell: u32| cloud.cells[cell as usize].geometry(&cloud.positions).centroid;
-        let (key, repair, all) = match (&section.taper, &section.table) {
-            (_, Some(table)) => {
+        let (key, repair, all) = match (&section.taper, &section.table, &section.values) {
+            (_, _, Some(name)) => {
+                let factors = by_particle(self.scene.scene, at, VALUES, name, cloud.len())?;
+                let mean = |&cell: &u32| {
+                    let corners = cloud.cells[cell as usize].particles();
+                    let sum: f64 = corners.iter().map(|&corner| factors[corner as usize]).sum();
+                    own * (sum / corners.len() as f64)
+                };
+                (VALUES, "correct the array", cells.iter().map(mean).collect())
+            }
+            (_, Some(table), None) => {
                 let parts = self.table(table, at)?.parts(cells, cloud);
                 let parts = parts.map_err(|place| {
                     let value = format!("no row near {}", shown(&place));
@@ -44,7 +55,7 @@ impl Builder<'_> {
                 let all: Vec<f64> = parts.into_iter().map(|part| own * part).collect();
                 (TABLE, "correct the rows there", all)
             }
-            (Some(taper), None) => {
+            (Some(taper), None, None) => {
                 let all = cells.iter().map(|&cell| tapered(own, taper, &centre(cell))).collect();
                 (
                     "section.homogeneous.taper",
@@ -52,7 +63,7 @@ impl Builder<'_> {
                     all,
                 )
             }
-            (None, None) => ("section.homogeneous", "", vec![own; cells.len()]),
+            (None, None, None) => ("section.homogeneous", "", vec![own; cells.len()]),
         };
         match cells.iter().zip(&all).find(|(_, t)| !(**t > 0.0 && t.is_finite())) {
             None => Ok(all),

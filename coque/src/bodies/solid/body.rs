@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::DerefMut;
 
-use explicit_dynamics::Dynamics;
+use explicit_dynamics::{Dynamics, Exert};
 use peridynamics::{Solid, StaticSolid};
 use sph_core::Vec3;
 
@@ -65,6 +65,11 @@ impl Body for Solid {
 }
 
 impl DynamicBody for Solid {
+    fn push(&mut self, exert: Exert) -> Result<(), Exert> {
+        Solid::push(self, exert);
+        Ok(())
+    }
+
     fn at_rest(&mut self) -> Option<Box<dyn StaticBody + '_>> {
         Some(Box::new(StaticSolid::lent(self)))
     }

@@ -9,7 +9,8 @@ use super::sets::{check_set_name, only_on};
 use super::solid::{check_face, check_solid_load, check_solid_support, check_traction};
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::{SceneError, Verdict};
-use crate::scene::loads::{Axis, Load, LoadKind};
+use crate::scene::loads::{Axis, Load, LoadKind, Pressure};
+use crate::scene::scope::Scope;
 use crate::scene::sets::EDGES;
 use crate::scene::supports::{Held, Spring, Support, SupportKind};
 
@@ -131,6 +132,19 @@ fn check_course(scene: &BodyInScene<'_>, at: &str, word: &str, amplitude: Option
     Err(SceneError::Choice(scene.scope().fault(&path, "a prescribed motion", bound, &repair)))
 }
 
+fn check_pressure(s: &Scope<'_>, at: &str, pressure: &Pressure) -> Verdict {
+    if pressure.value.is_none() && pressure.values.is_none() {
+        let repair = "add value = the pressure, or beside it values = the name of an array in memory";
+        return Err(SceneError::Missing(s.fault(
+            &format!("{at}.pressure.value"),
+            "nothing",
+            "a number",
+            repair,
+        )));
+    }
+    s.sized(&format!("{at}.pressure.value"), pressure.value())
+}
+
 pub(super) fn check_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Verdict {
     let (s, at) = (&scene.scope(), load.path.as_str());
     check_set_name(scene, &load.at("on"), load.on)?;
@@ -142,7 +156,7 @@ pub(super) fn check_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Ver
         check_solid_load(scene, load, solid)?;
     }
     for (word, kind) in kinds {
-        match kind {
+        match &kind {
             LoadKind::Force(force) => {
                 s.sized_all(&format!("{at}.force.total"), &force.total)?;
                 if force.by_area && scene.as_shell().is_none() {
@@ -161,7 +175,7 @@ pub(super) fn check_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Ver
                     only_on(scene, load, "a couple about the edge acts on an edge", &EDGES)?;
                 }
             }
-            LoadKind::Pressure(pressure) => s.sized(&format!("{at}.pressure.value"), pressure.value)?,
+            LoadKind::Pressure(pressure) => check_pressure(s, at, pressure)?,
             LoadKind::Gravity(g) => s.sized_all(&format!("{at}.gravity.acceleration"), &g.acceleration)?,
             LoadKind::Traction(_) => check_traction(scene, load)?,
         }

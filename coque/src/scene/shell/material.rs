@@ -112,6 +112,16 @@ pub struct Homogeneous {
     pub taper: Option<Taper>,
     /// Thickness from a table, in units of `thickness`; in place of a taper.
     pub table: Option<ThicknessTable>,
+    /// Name of an array in memory with a number for each particle: a cell is as thick as the mean of its corners' times `thickness`. Python
+    /// brings such arrays; in place of a taper or a table.
+    pub values: Option<String>,
+}
+
+impl Homogeneous {
+    /// Whether the thickness differs from cell to cell.
+    pub(crate) fn varies(&self) -> bool {
+        self.taper.is_some() || self.table.is_some() || self.values.is_some()
+    }
 }
 
 /// A thickness from a file of comma-separated values with columns `x`, `y`, `z` \[L\] and one of numbers, in the un-turned frame.

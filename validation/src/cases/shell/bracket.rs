@@ -109,7 +109,7 @@ fn cloud(n: usize) -> Result<Cloud, String> {
 fn shell(cloud: &Cloud, cells: &[u32], side: f64) -> Result<Shell, String> {
     let clamp = supported(particles(cloud, |x| x.x > FOOT - 1e-9), Clamped);
     let pressure = Pressure { value: side * PRESSURE, follower: false };
-    let load = PressurePatch { pressure, cells: cells.to_vec() };
+    let load = PressurePatch { pressure, cells: cells.to_vec(), factors: Vec::new() };
     shell_of(BODY, cloud.clone(), STATIC, vec![clamp], vec![Box::new(load)])
 }
 

@@ -4,7 +4,23 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::geometry::Geometry;
-use crate::scene::shell::material::{Elastic, Layered, Material, MaterialSection, Orthotropic, Section};
+use crate::scene::shell::material::{
+    Elastic, Homogeneous, Layered, Material, MaterialSection, Orthotropic, Section,
+};
+
+impl Homogeneous {
+    /// Refuses a thickness that is given in two ways.
+    fn check_one_course(&self, s: &Scope<'_>) -> Verdict {
+        let (key, found) = match (&self.taper, &self.table, &self.values) {
+            (Some(_), Some(_), _) => ("table", "a taper and a table"),
+            (Some(_), _, Some(_)) => ("values", "a taper and an array"),
+            (_, Some(_), Some(_)) => ("values", "a table and an array"),
+            _ => return Ok(()),
+        };
+        let repair = format!("write all of the thickness into `{key}`, or remove it");
+        Err(SceneError::Choice(s.fault(&format!("section.homogeneous.{key}"), found, "one of them", &repair)))
+    }
+}
 
 impl ShellScene {
     pub(super) fn check_material(&self, s: &Scope<'_>) -> Verdict {
@@ -45,16 +61,7 @@ impl ShellScene {
         let total = self.section.thickness().unwrap_or_default();
         let (path, value) = match &self.section {
             Section::Homogeneous(section) => {
-                if section.taper.is_some() && section.table.is_some() {
-                    let (found, bound) = ("a taper and a table", "one of them");
-                    let repair = "write all of the thickness into the table, or remove it";
-                    return Err(SceneError::Choice(s.fault(
-                        "section.homogeneous.table",
-                        found,
-                        bound,
-                        repair,
-                    )));
-                }
+                section.check_one_course(s)?;
                 if let Some(taper) = &section.taper {
                     s.sized_all("section.homogeneous.taper.point", &taper.point)?;
                     s.direction("section.homogeneous.taper.gradient", taper.gradient)?;

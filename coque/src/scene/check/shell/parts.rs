@@ -14,8 +14,7 @@ use crate::scene::shell::parts::{LumpedMass, PartFormulation, ShellTie};
 impl ShellScene {
     /// Whether sections may differ from cell to cell.
     pub(crate) fn has_parts(&self) -> bool {
-        let tapered =
-            matches!(&self.section, Section::Homogeneous(s) if s.taper.is_some() || s.table.is_some());
+        let tapered = matches!(&self.section, Section::Homogeneous(section) if section.varies());
         tapered || !self.parts.is_empty() || self.takes_from_file()
     }
 
@@ -30,10 +29,12 @@ impl ShellScene {
             "parts[0]"
         } else if self.takes_from_file() {
             if self.section.thickness().is_none() { "section.file" } else { "material.file" }
-        } else if matches!(&self.section, Section::Homogeneous(section) if section.table.is_some()) {
-            "section.homogeneous.table"
         } else {
-            "section.homogeneous.taper"
+            match &self.section {
+                Section::Homogeneous(section) if section.values.is_some() => "section.homogeneous.values",
+                Section::Homogeneous(section) if section.table.is_some() => "section.homogeneous.table",
+                _ => "section.homogeneous.taper",
+            }
         }
     }
 

@@ -69,6 +69,12 @@ pub(in super::super) fn check_solid_load(
                 s.in_plane(&format!("{at}.traction.value"), traction.value, plane)?
             }
             LoadKind::Pressure(pressure) if solid.galerkin().is_some() => {
+                if pressure.values.is_some() {
+                    let (value, bound) = ("numbers by particle", "one `value`, on a solid");
+                    let repair = "remove `values`, or put pressures on several faces";
+                    let fault = s.fault(&format!("{at}.pressure.values"), value, bound, repair);
+                    return Err(SceneError::Choice(fault));
+                }
                 if !pressure.follower {
                     let (value, bound) = ("a dead pressure", "one that follows, on a solid");
                     let repair = "add follower = true, or use traction = { value = […] }";

@@ -1,0 +1,125 @@
+"""Forces that a function exerts: the bits of the same load in the scene, their work in the balance, faults that end the run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import cantilever
+from numpy.typing import NDArray
+
+import coque
+
+Rows = NDArray[np.float64]
+MARCH = {"explicit": {"transient": {"duration": 1.0, "record_every": 0.1}}}
+
+
+def marched(**changes: Any) -> coque.Scene:
+    return coque.Scene(cantilever(**{"analysis": MARCH, "loads": None, **changes}))
+
+
+def test_a_force_has_the_bits_of_the_same_load() -> None:
+    scene = marched()
+    corner = int(np.argmax(scene.points() @ [1.0, 1.0, 0.0]))
+    loaded = marched(sets={"corner": {"nearest": [10.0, 1.0, 0.0]}})
+    force = np.array([0.0, 0.003, 0.1])
+    by_scene = loaded.with_({"loads[+]": {"on": "corner", "force": {"total": force}}}).run()
+
+    def push(time: float, x: Rows, v: Rows) -> Rows:
+        forces = np.zeros_like(x)
+        forces[corner] = force
+        return forces
+
+    for threads in (1, 2):
+        result = scene.run(push=push, threads=threads)
+        assert np.array_equal(result.curve.rows, by_scene.curve.rows)
+    assert "forces that a function of the caller exerts" in result.summary["modelled"]
+    assert "loads" not in result.summary["left_out"]
+
+
+def test_it_sees_times_places_and_velocities_and_its_work_is_counted() -> None:
+    scene = marched()
+    rest, times, tips = scene.points(), [], []
+
+    def wind(time: float, x: Rows, v: Rows) -> Rows:
+        times.append(time)
+        tips.append(float(x[-1, 2]))
+        # A drag towards a wind along z.
+        return 0.004 * (np.array([0.0, 0.0, 1.0]) - v)
+
+    result = scene.run(push=wind)
+    curve = result.curve
+    assert times[0] == 0.0 and times[-1] <= 1.0 and np.all(np.diff(times) >= 0.0)
+    assert tips[0] == rest[-1, 2] and max(tips) > 0.01
+    # All of its work is in the body: the balance misses what a march of so few steps does.
+    turned = curve["external"][-1]
+    assert turned > 1e-4
+    assert abs(curve["kinetic"][-1] + curve["internal"][-1] - turned) < 1e-3 * turned
+
+
+def test_solids_are_pushed_too() -> None:
+    block: dict[str, Any] = {
+        "title": "A bar of bonds",
+        "units": {"length": "m", "force": "N", "time": "s"},
+        "bodies": {
+            "bar": {
+                "solid": {
+                    "geometry": {"block": {"lengths": [1.0, 0.2], "spacing": 0.05, "thickness": 0.1}},
+                    "material": {"elastic": {"young": 1e3, "poisson": 0.3333, "density": 1.0}},
+                    "formulation": {"bond-based": {"horizon": 3.015, "plane": "stress"}},
+                }
+            }
+        },
+        "analysis": {"explicit": {"transient": {"duration": 0.02, "record_every": 0.005}}},
+        "curve": [{"name": "v", "of": "velocity", "on": "all", "direction": [1.0, 0.0, 0.0]}],
+    }
+    scene = coque.Scene(block)
+    nodes = len(scene.points())
+    result = scene.run(push=lambda t, x, v: np.full((nodes, 3), [1.0 / nodes, 0.0, 0.0]))
+    # A force of one on a mass of 0.02, all as one: v = t F/m, whatever the body does within.
+    assert result.curve["v"][-1] == pytest.approx(0.02 / 0.02, rel=0.05)
+
+
+def test_what_it_raises_ends_the_run_and_keeps_results() -> None:
+    def push(time: float, x: Rows, v: Rows) -> Rows:
+        if time > 0.55:
+            raise ZeroDivisionError("of the push")
+        return np.zeros_like(x)
+
+    with pytest.raises(ZeroDivisionError, match="of the push") as caught:
+        marched().run(push=push)
+    result = caught.value.result  # type: ignore[attr-defined]
+    assert result.ended == "interrupted" and 6 <= len(result.curve.rows) <= 7
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "says"),
+    [
+        (3.0, ValueError, r"an array of \(1,\); it must be one of \(63, 3\)"),
+        (np.zeros((2, 3)), ValueError, r"an array of \(2, 3\)"),
+        (np.full((63, 3), np.nan), ValueError, "not finite"),
+        ("wind", ValueError, "could not convert"),
+        (None, (TypeError, ValueError), "an array|NoneType"),
+    ],
+)
+def test_what_are_no_forces_is_refused(given: Any, error: Any, says: str) -> None:
+    with pytest.raises(error, match=says):
+        marched().run(push=lambda t, x, v: given)
+
+
+def test_there_is_none_without_time_nor_on_several_bodies(scenes: Path) -> None:
+    def push(time: float, x: Rows, v: Rows) -> Rows:
+        raise AssertionError("never called")
+
+    with pytest.raises(coque.CoqueError, match="only where time passes, in analysis.explicit.transient, not in a linear analysis"):
+        coque.Scene(cantilever()).run(push=push)
+    with pytest.raises(coque.CoqueError, match="alone in its scene"):
+        coque.Scene(scenes / "dam-break.toml").run(push=push)
+
+
+def test_such_a_run_keeps_no_checkpoint(tmp_path: Path) -> None:
+    scene = marched(output={"checkpoint_every": 1e-3})
+    scene.run(push=lambda t, x, v: np.zeros_like(x), progress=lambda news: False, out=tmp_path / "out")
+    assert not list((tmp_path / "out").glob("checkpoint*"))
