@@ -49,7 +49,8 @@ enum Command {
     /// Show a run in the browser: shapes that turn, fields, frames, the curve, in one file.
     #[command(after_help = view::HELP)]
     View(view::View),
-    /// Draw the last frame of a run with [output.fields] as SVG.
+    /// Draw frames of a run with [output.fields], or its curve, as SVG.
+    #[command(after_help = plot::HELP)]
     Plot(plot::Plot),
     /// Go on with a run that was interrupted or killed, to the same bits.
     #[command(after_help = resume::HELP)]
