@@ -13,7 +13,6 @@ mod plot;
 mod resume;
 mod run;
 mod starter;
-mod starter_texts;
 mod stderr;
 mod stop;
 mod sweep;

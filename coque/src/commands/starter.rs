@@ -1,6 +1,7 @@
 //! A commented scene from three answers: what it is made of, what is asked, in which units.
 
-use super::starter_texts as texts;
+mod shells;
+mod texts;
 
 /// What is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -35,7 +35,11 @@ pub fn completion(completion: &Completion, mut command: Command) -> Result<(), R
 pub fn man(command: &Command) -> Result<(), Refused> {
     let mut text = Vec::new();
     let unwritten = |error: std::io::Error| Refused::from(format!("cannot write the page: {error}\n"));
-    Man::new(command.clone()).render(&mut text).map_err(unwritten)?;
+    let all = Man::new(command.clone());
+    all.render_title(&mut text).map_err(unwritten)?;
+    all.render_name_section(&mut text).map_err(unwritten)?;
+    all.render_synopsis_section(&mut text).map_err(unwritten)?;
+    all.render_extra_section(&mut text).map_err(unwritten)?;
     for word in command.get_subcommands().filter(|word| word.get_name() != "help") {
         let title = format!(".SH \"coque {}\"\n", word.get_name());
         text.extend(title.to_uppercase().replace("COQUE", "coque").into_bytes());

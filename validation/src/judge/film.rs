@@ -3,6 +3,8 @@
 use coque::{Frame, Sheet, State, usual_field};
 use viewer::{Body, Instant, Show, page};
 
+use crate::format::short;
+
 /// Frames of a page.
 const FRAMES: usize = 12;
 /// Most bytes of a page.
@@ -27,12 +29,12 @@ impl Film {
     pub fn take(&mut self, frame: &Frame<'_>, sheet: &Sheet) {
         self.sizeless = frame.shown.state == State::Mode;
         let words = match () {
-            () if self.sizeless => format!("mode {}, {:.5}", frame.along, frame.level),
-            () if frame.time > 0.0 && frame.along == frame.time => format!("time {:.5}", frame.time),
-            () => format!("level {:.5}", frame.level),
+            () if self.sizeless => format!("mode {}, {}", frame.along, short(frame.level)),
+            () if frame.time > 0.0 && frame.along == frame.time => format!("time {}", short(frame.time)),
+            () => format!("level {}", short(frame.level)),
         };
         let taken = (Instant { along: frame.along, label: words, row: None }, sheet.clone());
-        if self.offered % self.every.max(1) == 0 {
+        if self.offered.is_multiple_of(self.every.max(1)) {
             self.kept.push(taken);
             self.last = None;
         } else {
