@@ -11,6 +11,7 @@ import threading
 import time
 import warnings
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -192,6 +193,26 @@ def test_a_loop_that_is_left_ends_the_run() -> None:
     assert result.ended == "interrupted" and result.curve["time"][-1] == pytest.approx(3.0, abs=0.1)
     with pytest.raises(coque.CoqueError, match="the run is over"):
         steps.frame()
+
+
+def test_a_column_is_plotted_with_its_unit(monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn: dict[str, Any] = {}
+
+    def plot(x: Any, y: Any, form: str, **_: Any) -> None:
+        drawn.update(x=x, y=y, form=form)
+
+    axes = SimpleNamespace(plot=plot, set=drawn.update)
+    pyplot = SimpleNamespace(subplots=lambda: (None, axes))
+    monkeypatch.setitem(sys.modules, "matplotlib", SimpleNamespace(pyplot=pyplot))
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", pyplot)
+    result = coque.Scene(cantilever(analysis={"static": {"levels": 3}})).run()
+    assert result.plot("w_tip") is axes
+    assert drawn["xlabel"] == "level [-]" and drawn["ylabel"] == "w_tip [m]" and drawn["form"] == "o-"
+    assert drawn["title"] == result.summary["title"] and list(drawn["y"]) == list(result.curve["w_tip"])
+    result.plot("level", against="w_tip")
+    assert list(drawn["x"]) == list(result.curve["w_tip"]) and drawn["ylabel"] == "level [-]"
+    with pytest.raises(KeyError, match="it has level"):
+        result.plot("w_tpi")
 
 
 def test_a_sweep_is_runs_in_order() -> None:

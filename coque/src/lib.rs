@@ -180,7 +180,9 @@ pub use mesh_io::{
 pub use plain::plain_text;
 pub use results::curve::{Column, Curve, NotACurve};
 pub use results::growing::GrowingCurve;
-pub use results::picture::{FieldNotThere, Picture, picture_range, picture_svg, strip, together};
+pub use results::picture::{
+    FieldNotThere, Picture, PictureExtent, picture_extent, picture_svg, strip, together, usual_field,
+};
 pub use results::plot::{PlotError, plot_svg};
 pub use run::checkpoint::{
     CHECKPOINT, CHECKPOINT_ROWS, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY,

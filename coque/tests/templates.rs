@@ -238,7 +238,7 @@ fn every_scene_is_a_template_that_checks() {
     for (name, text) in scenes() {
         assert!(
             listed.contains(&format!("  {name} ")),
-            "{name} is no template: add it in commands/templates.rs"
+            "{name} is no example: add it in commands/examples.rs"
         );
         let written = coque(&folder, &["new", &name]);
         assert_eq!(written.status.code(), Some(0), "{}", said(&written));
@@ -251,6 +251,51 @@ fn every_scene_is_a_template_that_checks() {
     assert_eq!(twice.status.code(), Some(2));
     assert!(said(&twice).contains("ring.toml is there already"));
     assert_eq!(coque(&folder, &["new", "rnig"]).status.code(), Some(2));
+}
+
+#[test]
+fn examples_are_listed_with_seconds_and_written_with_their_meshes() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("examples");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let listed = said(&coque(&folder, &["examples"]));
+    for line in listed.lines() {
+        let (seconds, name) = line.split_once(" s  ").unwrap_or_else(|| panic!("{line}"));
+        assert!(seconds.trim().parse::<f64>().is_ok_and(|seconds| seconds > 0.0), "{line}");
+        assert!(name.split_once(' ').is_some_and(|(_, title)| title.trim().len() > 3), "{line}");
+    }
+    // A name that is no file is one of them.
+    let missing = coque(&folder, &["run", "t-frame"]);
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(said(&missing).contains("`coque examples t-frame` writes t-frame.toml"), "{}", said(&missing));
+    assert_eq!(coque(&folder, &["examples", "t-frame"]).status.code(), Some(0));
+    assert!(folder.join("t-frame.msh").is_file());
+    let checked = coque(&folder, &["check", "t-frame.toml"]);
+    assert_eq!(checked.status.code(), Some(0), "{}", said(&checked));
+    let unknown = coque(&folder, &["examples", "rnig"]);
+    assert!(unknown.status.code() == Some(2) && said(&unknown).contains("there is no example `rnig`"));
+}
+
+#[test]
+fn shells_and_the_manual_know_every_word() {
+    let help = said(&coque(&root(), &["--help"]));
+    let words =
+        help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let words: Vec<&str> = words.filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(words.contains(&"examples") && words.len() > 12, "{words:?}");
+    let man = said(&coque(&root(), &["man"]));
+    assert!(man.contains(".TH coque 1"), "{man}");
+    for shell in ["bash", "zsh", "fish", "powershell"] {
+        let text = said(&coque(&root(), &["completion", shell]));
+        for word in words.iter().filter(|word| **word != "help") {
+            assert!(text.contains(word), "{shell} does not complete {word}");
+        }
+        assert!(text.contains("threads"), "{shell} completes no options");
+    }
+    for word in words.iter().filter(|word| **word != "help") {
+        assert!(man.contains(&format!(".SH \"coque {}\"", word.to_uppercase())), "{word}");
+    }
+    assert_eq!(coque(&root(), &["completion", "cmd"]).status.code(), Some(2));
 }
 
 #[test]

@@ -179,6 +179,9 @@ fn a_browser_draws_every_kind_of_run() {
             found["fields"].as_u64().map(|fields| fields + 2),
             "{name}: {found}"
         );
+        // Spheres cut each other, discs do not; other bodies have neither.
+        let particles = ["fluid", "coupled"].contains(&name);
+        assert_eq!(found["spheres"].as_bool(), particles.then_some(true), "{name}: {found}");
         assert_eq!(found["hidden"], true, "{name}: what lies out of the range is still seen");
     }
 }

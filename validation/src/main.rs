@@ -2,7 +2,7 @@
 
 use std::alloc::System;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -42,6 +42,9 @@ struct Cli {
     /// Folder for report.html and the pages beside it
     #[arg(long, value_name = "DIR", default_value = "target/validation")]
     report: PathBuf,
+    /// Beside the report a page for each pictured case, to be turned and played in a browser
+    #[arg(long)]
+    pages: bool,
     /// Scenes that run at the same time, one thread each [default: one for each core]
     #[arg(long, value_name = "N")]
     jobs: Option<usize>,
@@ -60,6 +63,7 @@ Examples:
   validate --case ring --case panel    the two cases of Lin et al. 2013
   validate --case option-cost          what each option of a scene costs
   validate --json records.json         for further analysis
+  validate --pages --case panel        its shape to be turned and played: target/validation/shapes/panel.html
   validate --jobs 1                    wall times without a neighbour on the other core
 
 Reading the table: errors are in the unit that follows them; `pass` means that every metric with a tolerance keeps
@@ -103,6 +107,7 @@ fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
         hard: cli.hard,
         names: cli.cases.clone(),
         jobs: cli.jobs.unwrap_or_else(cores),
+        pages: cli.pages,
     };
     let results = judge(cli.all(), &selection, &|line| eprintln!("{line}"))?;
     print!("{}", tables::table(&results));
@@ -116,15 +121,20 @@ fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
         fs::write(file, text).map_err(|error| write_error(file, &error))?;
     }
     for page in report::pages(&results, &selection)? {
-        let file = cli.report.join(page.file);
-        fs::create_dir_all(&cli.report)
-            .and_then(|()| fs::write(&file, page.html))
-            .map_err(|error| write_error(&file, &error))?;
+        write(&cli.report.join(page.file), &page.html)?;
+    }
+    for (file, html) in report::shapes(&results)? {
+        write(&cli.report.join(file), &html)?;
     }
     println!("report: {}", cli.report.join(report::FIRST).display());
     Ok(exit_code(&results))
 }
 
-fn write_error(path: &std::path::Path, error: &impl ToString) -> JudgeError {
+fn write(file: &Path, text: &str) -> Result<(), JudgeError> {
+    let made = file.parent().map_or(Ok(()), fs::create_dir_all);
+    made.and_then(|()| fs::write(file, text)).map_err(|error| write_error(file, &error))
+}
+
+fn write_error(path: &Path, error: &impl ToString) -> JudgeError {
     JudgeError::Write { path: path.display().to_string(), reason: error.to_string() }
 }

@@ -34,7 +34,7 @@ const LOOK: &str = "<script>addEventListener('load', () => {
 
 fn report() -> Result<Vec<Page>, Box<dyn Error>> {
     let names = CASES.map(String::from).to_vec();
-    let selection = Selection { set: Effort::Quick, hard: false, names, jobs: 2 };
+    let selection = Selection { set: Effort::Quick, hard: false, names, jobs: 2, pages: false };
     Ok(pages(&judge(cases::usual(), &selection, &|_| {})?, &selection)?)
 }
 

@@ -9,7 +9,8 @@ use validation::{CaseResult, Effort, Selection, cases, judge};
 const CASE: &str = "cantilever-end-shear";
 
 fn result() -> Result<CaseResult, Box<dyn Error>> {
-    let selection = Selection { set: Effort::Quick, hard: false, names: vec![CASE.into()], jobs: 2 };
+    let selection =
+        Selection { set: Effort::Quick, hard: false, names: vec![CASE.into()], jobs: 2, pages: false };
     Ok(judge(cases::usual(), &selection, &|_| {})?.remove(0))
 }
 

@@ -38,6 +38,11 @@ class Camera {
     return this.zoom;
   }
 
+  /** Lengths towards the viewer to parts of the depth that the card keeps. */
+  depths() {
+    return 0.5 / this.radius;
+  }
+
   turnMatrix() {
     const [r, u, v] = this.axes();
     return new Float32Array([r[0], u[0], v[0], r[1], u[1], v[1], r[2], u[2], v[2]]);

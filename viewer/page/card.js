@@ -5,7 +5,8 @@ class Card {
     this.gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true, alpha: false });
     if (!this.gl) return;
     const gl = this.gl;
-    this.programs = { faces: this.program("faces", true), discs: this.program("discs", true), lines: this.program("lines", false) };
+    this.programs = { faces: this.program("faces", true), discs: this.program("discs", true),
+      spheres: this.program("discs", true, "SPHERES"), lines: this.program("lines", false) };
     this.colours = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.colours);
     for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.LINEAR);
@@ -14,9 +15,9 @@ class Card {
     gl.depthFunc(gl.LEQUAL);
   }
 
-  program(name, coloured) {
+  program(name, coloured, defined = null) {
     const gl = this.gl, made = gl.createProgram();
-    const first = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
+    const first = "#version 300 es\nprecision highp float;\nprecision highp int;\n" + (defined ? `#define ${defined}\n` : "");
     for (const [kind, end] of [[gl.VERTEX_SHADER, "vert"], [gl.FRAGMENT_SHADER, "frag"]]) {
       const shader = gl.createShader(kind);
       const colour = coloured && end === "frag" ? byId("colour.glsl").textContent : "";

@@ -4,9 +4,11 @@
 const FILM = 6000, LEAST = 40, MOST = 500;
 /** Part of the size of a body by which shapes without a size are drawn. */
 const SIZELESS = 0.15;
+/** Particles beyond which they are discs at first, and milliseconds of a picture beyond which they become discs. */
+const MOST_SPHERES = 200000, SLOW = 150;
 
 const state = { frame: null, field: null, map: "", range: null, low: null, high: null, only: false, scale: 1,
-  thick: true, edges: null, ghost: false, camera: null };
+  thick: true, edges: null, ghost: false, spheres: null, camera: null };
 const view = { shapes: [], choices: new Map(), swing: 1, playing: null, marked: null, probed: null };
 
 /** The state behind the #, where there is one that can be read. */
@@ -33,7 +35,7 @@ function paint() {
     [canvas.width, canvas.height] = [width, height];
   }
   card.clear(width, height);
-  const look = { ...view.ends, only: state.only, edges: state.edges };
+  const look = { ...view.ends, only: state.only, edges: state.edges, spheres: state.spheres };
   if (state.ghost) for (const shape of shapes) shape.drawGhost(camera);
   for (const shape of shapes) shape.draw(camera, look);
   if (view.marked) mark(view.marked.shape, view.marked.points, 7 * ratio, [0.85, 0.1, 0.45, 1]);
@@ -134,7 +136,7 @@ function controls() {
   }
   byId("scale").value = Number(state.scale.toPrecision(4));
   byId("scale-slider").value = Math.log10(state.scale || 1e-2);
-  for (const name of ["only", "thick", "edges", "ghost"]) byId(name).checked = state[name];
+  for (const name of ["only", "thick", "edges", "ghost", "spheres"]) byId(name).checked = state[name];
   for (const name of ["field", "range", "map"]) byId(name).value = state[name];
   view.curve.at(at?.row ?? null);
 }
@@ -246,7 +248,7 @@ function listen() {
   for (const end of ["low", "high"]) {
     on(end, "change", () => { Object.assign(state, { range: "hand", low: number(byId("low")), high: number(byId("high")) }); });
   }
-  for (const name of ["only", "edges", "ghost"]) on(name, "change", box => { state[name] = box.checked; });
+  for (const name of ["only", "edges", "ghost", "spheres"]) on(name, "change", box => { state[name] = box.checked; });
   on("thick", "change", box => { state.thick = box.checked; view.shapes.forEach(shape => shape.solid && shape.setThick(state.thick)); });
   on("scale", "change", box => { state.scale = number(box) ?? 1; });
   on("scale-slider", "input", box => { state.scale = 10 ** Number(box.value); });
@@ -320,6 +322,11 @@ async function begin() {
   writeBodies(view.shapes, refresh);
   writeSets(view.shapes, marked => { view.marked = marked; paint(); });
   listen();
+  const particles = view.shapes.filter(shape => !shape.solid).reduce((sum, shape) => sum + shape.rows, 0);
+  byId("spheres-box").hidden = particles === 0;
+  const chosen = state.spheres !== null;
+  // Seen straight, particles of a plane scene hide nothing of each other.
+  state.spheres ??= head.plane === null && particles <= MOST_SPHERES;
   const wanted = state.frame ?? (head.sizeless ? 0 : last);
   // The first frame is there at once; those between are inflated on the way to the one that is wanted.
   state.frame = 0;
@@ -328,7 +335,19 @@ async function begin() {
     state.frame = Math.min(wanted, last);
     await refresh();
   }
+  if (!chosen && state.spheres && painted() > SLOW) {
+    state.spheres = false;
+    await refresh();
+  }
   if (head.reload) setTimeout(() => { if (state.frame === last) state.frame = null; remember(); location.reload(); }, 1000 * head.reload);
+}
+
+/** Milliseconds in which the card draws the picture. */
+function painted() {
+  const gl = view.card.gl, start = performance.now();
+  paint();
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  return performance.now() - start;
 }
 
 /** The scale at which the greatest motion is a small part of the size of the bodies. */

@@ -36,6 +36,8 @@ async function answers() {
   const set = byId("sets").querySelector("button");
   set?.click();
   found.sets = byId("sets").querySelectorAll("button").length;
+  const drawnAs = async spheres => { state.spheres = spheres; await refresh(); return seen().sum; };
+  found.spheres = view.shapes.some(shape => !shape.solid) ? await drawnAs(false) !== await drawnAs(true) : null;
   state.only = true;
   Object.assign(state, { range: "hand", low: view.ends.high + 1, high: view.ends.high + 2 });
   await refresh();

@@ -1,4 +1,5 @@
-// A body as it is drawn: faces of a sheet with both sides and its thickness, outer faces of a solid, particles as discs.
+// A body as it is drawn: faces of a sheet with both sides and its thickness, outer faces of a solid, particles as discs
+// or spheres.
 
 /** Faces beyond which their edges are not drawn at first: they would hide the colours. */
 const MOST_EDGED = 5000;
@@ -191,7 +192,7 @@ class Shape {
   draw(camera, look) {
     if (this.hidden || !this.rows) return;
     const { card, buffers } = this, gl = card.gl;
-    const uniforms = card.use(this.solid ? "faces" : "discs");
+    const uniforms = card.use(this.solid ? "faces" : look.spheres ? "spheres" : "discs");
     gl.uniformMatrix4fv(uniforms.see, false, camera.matrix());
     if (uniforms.turn) gl.uniformMatrix3fv(uniforms.turn, false, camera.turnMatrix());
     gl.uniform2f(uniforms.range, look.low, look.high);
@@ -202,6 +203,7 @@ class Shape {
     card.attribute("value", buffers.value, 1);
     if (!this.solid) {
       gl.uniform1f(uniforms.pixels, camera.pixels());
+      if (uniforms.deep) gl.uniform1f(uniforms.deep, camera.depths());
       // Walls round a body in space would hide it.
       gl.uniform1f(uniforms.grown, this.isWall() && camera.plane === null ? 0.25 : 1.1);
       card.attribute("size", buffers.size, 1);

@@ -1,10 +1,11 @@
-//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · python · package · wheel · new-case · soak · gallery · book ·
-//! aarch64`.
+//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · python · package · wheel · deb · new-case · soak · gallery ·
+//! book · aarch64`.
 
 mod aarch64;
 mod bench;
 mod book;
 mod cargo;
+mod deb;
 mod gallery;
 mod new_case;
 mod package;
@@ -79,6 +80,11 @@ enum Task {
     /// One wheel serves every Python from 3.9 on.
     Wheel,
 
+    /// The program as a package of Debian in target/deb, with its manual page and completions; needs cargo-deb
+    ///
+    /// Built for distribution; page and completions are what the program prints of itself.
+    Deb,
+
     /// Lay out a new benchmark: a scene, a case file, and the line that lists it
     ///
     /// Writes scenes/NAME.toml and validation/src/cases/shell/NAME.rs (with underscores) from templates that explain
@@ -121,6 +127,7 @@ fn main() -> ExitCode {
             package::test().and_then(|passed| if passed { Ok(()) } else { Err("the package fails".into()) })
         }
         Task::Wheel => package::wheel(),
+        Task::Deb => deb::run(),
         Task::NewCase(options) => new_case::run(&options),
         Task::Soak(options) => soak::run(&options),
         Task::Gallery(options) => gallery::run(&options),

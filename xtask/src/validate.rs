@@ -28,6 +28,9 @@ pub struct Options {
     /// Write the report with plots into this folder
     #[arg(long, value_name = "DIR")]
     pub report: Option<String>,
+    /// Beside the report a page for each pictured case, to be turned and played in a browser
+    #[arg(long)]
+    pub pages: bool,
     /// Show what changed since it was reviewed: old curve, new curve and reference on one page
     #[arg(long, exclusive = true)]
     pub review: bool,
@@ -88,6 +91,9 @@ impl Options {
         if self.hard {
             words.push("--hard".to_owned());
         }
+        if self.pages {
+            words.push("--pages".to_owned());
+        }
         for case in &self.cases {
             words.extend(["--case".to_owned(), case.clone()]);
         }
@@ -113,13 +119,14 @@ mod tests {
             cases: cargo::words(&["ring", "panel"]),
             json: Some("a.json".to_owned()),
             report: Some("out".to_owned()),
+            pages: true,
             review: false,
             rest: cargo::words(&["--threads", "2"]),
         };
         assert_eq!(
             cargo::spelled(&options.words()),
             "cargo run --release --package validation --bin validate -- \
-             --quick --full --heavy --hard --case ring --case panel --json a.json --report out --threads 2"
+             --quick --full --heavy --hard --pages --case ring --case panel --json a.json --report out --threads 2"
         );
     }
 }

@@ -55,6 +55,10 @@ class Curve(Mapping[str, NDArray[np.float64]]):
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:
         return np.array(self._rows, dtype=dtype)
 
+    def label(self, name: str) -> str:
+        """A column with its unit, as beside an axis."""
+        return f"{name} [{self.units[name]}]"
+
     def to_pandas(self) -> pandas.DataFrame:
         """A table; units are in `attrs["units"]`."""
         import pandas
@@ -64,7 +68,7 @@ class Curve(Mapping[str, NDArray[np.float64]]):
         return table
 
     def __repr__(self) -> str:
-        columns = ", ".join(f"{name} [{unit}]" for name, unit in self.units.items())
+        columns = ", ".join(map(self.label, self))
         return f"Curve({len(self._rows)} rows: {columns})"
 
 
@@ -200,6 +204,18 @@ class Result:
 
     def _repr_html_(self) -> str:
         return _view.table(self)
+
+    def plot(self, column: str, against: Optional[str] = None) -> Any:
+        """Draws a column of the curve over another, the first where none is named; gives the axes of matplotlib."""
+        import matplotlib.pyplot as pyplot
+
+        along = against or self.curve.names[0]
+        rows = (self.curve[along], self.curve[column])
+        _, axes = pyplot.subplots()
+        # Points that touch each other say no more than their line.
+        axes.plot(*rows, "o-" if len(rows[0]) <= 60 else "-", markersize=3)
+        axes.set(title=self.summary["title"], xlabel=self.curve.label(along), ylabel=self.curve.label(column))
+        return axes
 
     @staticmethod
     def _of(found: dict[str, Any], scene: str = "", folder: Optional[Path] = None) -> Result:

@@ -4,22 +4,26 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod accuracy;
+mod ask;
 mod bar;
 mod check;
+mod examples;
 mod mesh;
 mod plot;
 mod resume;
 mod run;
+mod starter;
 mod stderr;
 mod stop;
 mod sweep;
 mod templates;
 mod view;
+mod words;
 
 use std::ffi::OsString;
 use std::sync::Arc;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use stderr::Refused;
 use stop::{Stop, outlive_file_limits};
 
@@ -48,7 +52,8 @@ enum Command {
     /// Show a run in the browser: shapes that turn, fields, frames, the curve, in one file.
     #[command(after_help = view::HELP)]
     View(view::View),
-    /// Draw the last frame of a run with [output.fields] as SVG.
+    /// Draw frames of a run with [output.fields], or its curve, as SVG.
+    #[command(after_help = plot::HELP)]
     Plot(plot::Plot),
     /// Go on with a run that was interrupted or killed, to the same bits.
     #[command(after_help = resume::HELP)]
@@ -56,9 +61,12 @@ enum Command {
     /// Run a scene for a list of values, or for every combination of several; one table out.
     #[command(after_help = sweep::HELP)]
     Sweep(sweep::Sweep),
-    /// Write a commented scene to start from.
+    /// Write a commented scene to start from: by three questions, or an example.
     #[command(after_help = templates::NEW_HELP)]
     New(templates::New),
+    /// List the scenes within the program, or write one of them.
+    #[command(after_help = examples::HELP)]
+    Examples(examples::Examples),
     /// Validate a scene; print the model, what it leaves out and what a run will cost.
     #[command(after_help = check::HELP)]
     Check(check::Check),
@@ -68,16 +76,23 @@ enum Command {
     /// Print the JSON schema of scenes, for editors.
     #[command(after_help = templates::SCHEMA_HELP)]
     Schema(templates::Schema),
+    /// Print what completes the words of this command in a shell.
+    #[command(after_help = words::COMPLETION_HELP)]
+    Completion(words::Completion),
+    /// Print the manual page.
+    #[command(after_help = words::MAN_HELP)]
+    Man,
 }
 
 const START: &str = "\
 Start here:
-  coque run scenes/ring.toml --view     results in out/ring, shown in the browser
+  coque new                         three questions, then a commented scene to run and to change
+  coque examples ring               writes ring.toml, one of the scenes within the program
+  coque run ring.toml --view        results in out/ring, shown in the browser
   coque view out/gate               the same of a run that is there, if its scene has [output.fields]
   coque plot out/gate               its last frame as a picture for a paper
-  coque new plate                   a commented scene to start from: plate.toml
-  coque check plate.toml            what it models, what it leaves out, what a run will cost
-  coque check plate.toml --accuracy 0.5%    which lattice and analysis that takes
+  coque check ring.toml             what it models, what it leaves out, what a run will cost
+  coque check ring.toml --accuracy 0.5%     which lattice and analysis that takes
   coque list                        what a scene may name
   coque run --help                  options, examples, where results are
   coque mesh panel.msh              what a mesh holds, and what is wrong with it
@@ -115,9 +130,12 @@ fn obey(command: Command, stop: &Arc<Stop>) -> Result<u8, Refused> {
         Command::Plot(plot) => plot::carry_out(&plot).map(|()| DONE),
         Command::Resume(resume) => resume::carry_out(&resume, stop),
         Command::Sweep(sweep) => sweep::carry_out(&sweep, stop),
-        Command::New(new) => templates::new(&new).map(|()| DONE),
+        Command::New(new) => templates::new(&new, stop),
+        Command::Examples(examples) => examples::carry_out(&examples).map(|()| DONE),
         Command::Check(check) => check::carry_out(&check).map(|()| DONE),
         Command::List(list) => templates::list(&list).map(|()| DONE),
         Command::Schema(schema) => templates::schema(&schema).map(|()| DONE),
+        Command::Completion(completion) => words::completion(&completion, Cli::command()).map(|()| DONE),
+        Command::Man => words::man(&Cli::command()).map(|()| DONE),
     }
 }

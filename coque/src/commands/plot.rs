@@ -1,10 +1,11 @@
-//! `coque plot`: the last frame of a run, or its curve, as a picture without a viewer.
+//! `coque plot`: frames of a run, or its curve, as a picture without a viewer.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::{
-    Picture, ReadError, Sheet, listed, picture_range, picture_svg, plot_svg, strip, together, write_whole,
+    Picture, PictureExtent, ReadError, Sheet, listed, picture_extent, picture_svg, plot_svg, strip, together,
+    usual_field, write_whole,
 };
 use clap::Args;
 
@@ -22,13 +23,14 @@ pub struct Plot {
     /// Of several bodies draw this one alone.
     #[arg(long, value_name = "NAME")]
     body: Option<String>,
-    /// Number of the frame, from 0 [default: the last].
+    /// Number of the frame, from 0.
     #[arg(long, value_name = "N")]
     frame: Option<usize>,
-    /// Draw so many frames side by side, from the first to the last, in the same colours.
-    #[arg(long, value_name = "N", conflicts_with = "frame", value_parser = clap::value_parser!(u8).range(1..=12))]
-    frames: Option<u8>,
-    /// Ends of the colours [default: the least and the greatest value].
+    /// Which frames are drawn, side by side: all, so many from the first to the last, or the last.
+    #[arg(long, value_name = "all|N|last", conflicts_with = "frame", value_parser = frames, default_value = "last")]
+    frames: Frames,
+    /// Ends of the colours [default: the least and the greatest value of all frames; where outliers would leave all others
+    /// one colour, the ends that 2 % of a frame's values lie beyond, which the colour bar says].
     #[arg(long, value_name = "LOW,HIGH", allow_hyphen_values = true, value_parser = range)]
     range: Option<[f64; 2]>,
     /// Where the viewer stands: azimuth and height in degrees.
@@ -37,7 +39,7 @@ pub struct Plot {
     /// Mirror a part in planes through the origin to the whole: x, y, z are the normals of its symmetry planes.
     #[arg(long, value_name = "AXES", value_parser = axes, default_value = "")]
     mirror: Axes,
-    /// Draw displacements so many times as large.
+    /// Draw displacements so many times as large; of a mode, which has no size, 1 is a tenth of the body's diagonal.
     #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1")]
     scale: f64,
     /// Draw the curve instead: this column along, that one up.
@@ -46,6 +48,40 @@ pub struct Plot {
     /// The picture [default: DIR/shape.svg, or DIR/curve.svg].
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+}
+
+pub const HELP: &str = "\
+Examples:
+  coque plot out/gate --view=-90,90             the last frame, seen straight, in the zoom and colours of the whole run
+  coque plot out/gate --view=-90,90 --frames 6  six frames side by side, comparable with each other
+  coque plot out/modes --frames all             every mode, with its frequency
+  coque plot out/ring --field moment.11 --frame 3 --out moment.svg
+  coque plot out/ring --curve minus_U_tip,W_tip
+
+Every picture says the scene's title, the level, time or mode, the field with its unit, its least and greatest value in the run,
+and how displacements are drawn where that is not to scale. All bodies share one colour bar; cells across an open crack are left out.";
+
+/// Which frames are drawn.
+#[derive(Clone, Copy)]
+enum Frames {
+    Last,
+    All,
+    /// So many, evenly from the first to the last.
+    Some(usize),
+}
+
+/// Frames of one picture beyond which a browser is slow to show it.
+const MOST_FRAMES: usize = 100;
+
+fn frames(text: &str) -> Result<Frames, String> {
+    match text.trim() {
+        "last" => Ok(Frames::Last),
+        "all" => Ok(Frames::All),
+        number => match number.parse() {
+            Ok(count @ 1..=MOST_FRAMES) => Ok(Frames::Some(count)),
+            _ => Err(format!("write all, last or a number from 1 to {MOST_FRAMES}")),
+        },
+    }
 }
 
 fn two(text: &str) -> Option<[f64; 2]> {
@@ -111,31 +147,38 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
     for list in &lists {
         series.push(listed(list).map_err(unread)?);
     }
-    let mut drawn = Vec::new();
-    for number in numbers(plot, &lists[0], series[0].len())? {
-        drawn.push(frame(&lists, &series, number)?);
-    }
-    let field = plot.field.as_deref();
-    let mut range = plot.range;
-    if range.is_none() && drawn.len() > 1 {
-        let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
-        for (sheet, _, _) in &drawn {
-            let [low, high] = picture_range(sheet, field).map_err(|e| format!("{e}\n"))?;
-            ends = [ends[0].min(low), ends[1].max(high)];
-        }
-        range = Some(ends);
-    }
+    let count = series.iter().map(Vec::len).min().unwrap_or_default();
+    let numbers = numbers(plot, &lists[0], count)?;
+    let (last, _) = frame(&series, count - 1)?;
+    let field = plot.field.as_deref().unwrap_or_else(|| usual_field(&last));
     let scene = title(&plot.folder, read_summary(&plot.folder).as_ref());
     let curve = read_curve(&plot.folder).unwrap_or_default();
     let places: Vec<f64> = series[0].iter().map(|(along, _)| *along).collect();
     let places = Along::of(&curve, &places);
+    let (view, mirror) = (plot.view, &plot.mirror.0[..]);
+    let own = Picture {
+        field: Some(field),
+        view,
+        mirror,
+        scale: plot.scale,
+        sizeless: places.are_modes(),
+        range: plot.range,
+        ..Picture::new(&scene)
+    };
+    let missing = |e| format!("{e}\n");
+    let mut extent: PictureExtent = picture_extent(&last, &own).map_err(missing)?;
+    for number in 0..count - 1 {
+        // A frame that is not drawn may lack the field.
+        if let Ok(other) = picture_extent(&frame(&series, number)?.0, &own) {
+            extent = extent.with(&other);
+        }
+    }
     let mut pictures = Vec::new();
-    for (sheet, number, along) in &drawn {
-        let instant = places.words(*along).unwrap_or_else(|| format!("frame {number} at {}", short(*along)));
-        let title = format!("{scene}: {instant}");
-        let (view, mirror, scale) = (plot.view, &plot.mirror.0[..], plot.scale);
-        let wanted = Picture { field, view, mirror, scale, range, title: &title };
-        pictures.push(picture_svg(sheet, &wanted).map_err(|e| format!("{e}\n"))?);
+    for number in numbers {
+        let (sheet, along) = frame(&series, number)?;
+        let instant = places.words(along).unwrap_or_else(|| format!("frame {number} at {}", short(along)));
+        let wanted = Picture { extent: Some(extent), instant: &instant, ..own.clone() };
+        pictures.push(picture_svg(&sheet, &wanted).map_err(missing)?);
     }
     let svg = if let [one] = &pictures[..] { one.clone() } else { strip(&pictures) };
     let out = plot.out.clone().unwrap_or_else(|| plot.folder.join("shape.svg"));
@@ -144,39 +187,37 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
     Ok(out)
 }
 
-/// Numbers of the frames that are drawn: one, or so many from the first to the last.
+/// Numbers of the frames that are drawn, of so many.
 fn numbers(plot: &Plot, list: &Path, count: usize) -> Result<Vec<usize>, String> {
-    let Some(wanted) = plot.frames else {
-        let number = plot.frame.unwrap_or(count.saturating_sub(1));
-        if number < count {
-            return Ok(vec![number]);
-        }
-        return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
-    };
-    let wanted = usize::from(wanted).min(count);
-    if wanted == 0 {
-        return Err(format!("{} lists no frame; run the scene again with [output.fields]\n", list.display()));
+    let list = list.display();
+    if count == 0 {
+        return Err(format!("{list} lists no frame; run the scene again with [output.fields]\n"));
     }
-    Ok((0..wanted).map(|i| i * (count - 1) / wanted.saturating_sub(1).max(1)).collect())
+    if let Some(number) = plot.frame {
+        let none = || format!("{list} has no frame {number}; it lists {count}, from 0 on\n");
+        return (number < count).then(|| vec![number]).ok_or_else(none);
+    }
+    let wanted = match plot.frames {
+        Frames::Last => return Ok(vec![count - 1]),
+        Frames::All if count > MOST_FRAMES => {
+            return Err(format!(
+                "{list} lists {count} frames; --frames {MOST_FRAMES} draws so many of them\n"
+            ));
+        }
+        Frames::All => count,
+        Frames::Some(wanted) => wanted.min(count),
+    };
+    Ok((0..wanted).map(|i| i * (count - 1) / (wanted - 1).max(1)).collect())
 }
 
-/// A frame of all bodies together, with its number and where it stands.
-fn frame(
-    lists: &[PathBuf],
-    series: &[Vec<(f64, PathBuf)>],
-    number: usize,
-) -> Result<(Sheet, usize, f64), String> {
-    let (mut sheets, mut at) = (Vec::new(), 0.0);
-    for (list, frames) in lists.iter().zip(series) {
-        let Some((along, path)) = frames.get(number) else {
-            let count = frames.len();
-            return Err(format!("{} has no frame {number}; it lists {count}, from 0 on\n", list.display()));
-        };
-        sheets.push(Sheet::read(path).map_err(unread)?);
-        at = *along;
+/// A frame of all bodies together, and where it stands.
+fn frame(series: &[Vec<(f64, PathBuf)>], number: usize) -> Result<(Sheet, f64), String> {
+    let mut sheets = Vec::new();
+    for frames in series {
+        sheets.push(Sheet::read(&frames[number].1).map_err(unread)?);
     }
     let sheet = if let [_] = sheets[..] { sheets.remove(0) } else { together(sheets) };
-    Ok((sheet, number, at))
+    Ok((sheet, series[0][number].0))
 }
 
 /// Lists of the frames that are drawn: of a lone body its own, of several those of all or of the one that is named.

@@ -32,6 +32,13 @@ pub struct Run {
     view: bool,
 }
 
+impl Run {
+    /// A run with nothing replaced, shown in the browser.
+    pub fn shown(scene: PathBuf) -> Self {
+        Self { scene, out: None, threads: 1, replaced: Vec::new(), view: true }
+    }
+}
+
 pub const HELP: &str = "\
 Examples:
   coque run scenes/ring.toml
@@ -101,7 +108,8 @@ pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
 /// Reads a scene, and its text; errors underline it.
 pub fn read_scene(path: &Path, replaced: &[(String, String)]) -> Result<(Checked, String), Refused> {
     let file = path.display().to_string();
-    let text = read_text(path).map_err(|e| format!("cannot read {file}: {e}\n"))?;
+    let repair = || super::examples::suggestion(path).map_or_else(String::new, |words| format!("; {words}"));
+    let text = read_text(path).map_err(|e| format!("cannot read {file}: {e}{}\n", repair()))?;
     let scene = Scene::with_overrides(&text, &file, replaced).map_err(|e| Refused::scene(&e))?;
     Ok((scene, text))
 }

@@ -1,17 +1,24 @@
 //! `coque new`, `list`, `schema`: what a scene may say, and one to start from.
 
-use std::fs::{self, OpenOptions};
-use std::io::{self, Write};
+use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use crate::{CatalogueEntry, Scene, catalogue, reference_page, schema_text};
+use crate::{CatalogueEntry, catalogue, reference_page, schema_text};
 use clap::Args;
 
-use super::stderr::{Refused, print};
+use super::DONE;
+use super::ask::{agreed, ask};
+use super::examples::{self, write_new};
+use super::run::{self, Run};
+use super::starter::What;
+use super::stderr::{Refused, print, say};
+use super::stop::Stop;
 
 #[derive(Args)]
 pub struct New {
-    /// What to start from; without it, the templates are listed.
+    /// The example to start from; without it, three questions lead to a scene, or the examples are listed where there is no
+    /// terminal.
     template: Option<String>,
     /// Where to write it [default: TEMPLATE.toml].
     file: Option<PathBuf>,
@@ -19,7 +26,7 @@ pub struct New {
 
 pub const NEW_HELP: &str = "\
 Examples:
-  coque new                        the templates, a line each
+  coque new                        asks what it is made of, what is asked, in which units; writes a scene with comments
   coque new plate                  writes plate.toml
   coque new ring roll-up.toml      writes roll-up.toml; then: coque check roll-up.toml";
 
@@ -48,115 +55,33 @@ Editors with a TOML plug-in (taplo, Even Better TOML) complete and explain the k
 and in the first line of a scene beside it:
   #:schema schema.json";
 
-/// The scenes of the repository, each a template.
-const TEMPLATES: [(&str, &str); 49] = [
-    ("baffle", include_str!("../../../scenes/baffle.toml")),
-    ("cantilever-end-shear", include_str!("../../../scenes/cantilever-end-shear.toml")),
-    ("cantilever-solid", include_str!("../../../scenes/cantilever-solid.toml")),
-    ("clamped-cap", include_str!("../../../scenes/clamped-cap.toml")),
-    ("column-buckling", include_str!("../../../scenes/column-buckling.toml")),
-    ("crack-branching", include_str!("../../../scenes/crack-branching.toml")),
-    ("cylinder-pressure", include_str!("../../../scenes/cylinder-pressure.toml")),
-    ("dam-break", include_str!("../../../scenes/dam-break.toml")),
-    ("flanged-bracket", include_str!("../../../scenes/meshes/flanged-bracket.toml")),
-    ("gate", include_str!("../../../scenes/gate.toml")),
-    ("gate-bonds", include_str!("../../../scenes/gate-bonds.toml")),
-    ("heavy-end", include_str!("../../../scenes/heavy-end.toml")),
-    ("hemisphere", include_str!("../../../scenes/hemisphere.toml")),
-    ("kalthoff", include_str!("../../../scenes/kalthoff.toml")),
-    ("open-cylinder", include_str!("../../../scenes/open-cylinder.toml")),
-    ("panel", include_str!("../../../scenes/panel.toml")),
-    ("panel-laminated", include_str!("../../../scenes/panel-laminated.toml")),
-    ("panel-solid", include_str!("../../../scenes/panel-solid.toml")),
-    ("patch-test", include_str!("../../../scenes/patch-test.toml")),
-    ("pinched-cylinder", include_str!("../../../scenes/pinched-cylinder.toml")),
-    ("pinched-cylinder-large", include_str!("../../../scenes/pinched-cylinder-large.toml")),
-    ("plate", include_str!("../../../scenes/plate.toml")),
-    ("plate-buckling", include_str!("../../../scenes/plate-buckling.toml")),
-    ("plate-clamped", include_str!("../../../scenes/plate-clamped.toml")),
-    ("plate-clamped-solid", include_str!("../../../scenes/plate-clamped-solid.toml")),
-    ("plate-orthotropic", include_str!("../../../scenes/plate-orthotropic.toml")),
-    ("plate-pd", include_str!("../../../scenes/plate-pd.toml")),
-    ("plate-shortened", include_str!("../../../scenes/plate-shortened.toml")),
-    ("plate-solid", include_str!("../../../scenes/plate-solid.toml")),
-    ("pulled-strip", include_str!("../../../scenes/pulled-strip.toml")),
-    ("relieved-strip", include_str!("../../../scenes/relieved-strip.toml")),
-    ("ring", include_str!("../../../scenes/ring.toml")),
-    ("ring-between-plates", include_str!("../../../scenes/ring-between-plates.toml")),
-    ("ring-green-lagrange", include_str!("../../../scenes/ring-green-lagrange.toml")),
-    ("ring-pressure", include_str!("../../../scenes/ring-pressure.toml")),
-    ("scordelis-lo", include_str!("../../../scenes/scordelis-lo.toml")),
-    ("shell-in-water", include_str!("../../../scenes/shell-in-water.toml")),
-    ("stepped-plate", include_str!("../../../scenes/stepped-plate.toml")),
-    ("stiffened-panel-abaqus", include_str!("../../../scenes/meshes/stiffened-panel-abaqus.toml")),
-    ("stiffened-panel-gmsh", include_str!("../../../scenes/meshes/stiffened-panel-gmsh.toml")),
-    ("strip-over-drum", include_str!("../../../scenes/strip-over-drum.toml")),
-    ("t-frame", include_str!("../../../scenes/meshes/t-frame.toml")),
-    ("tensioned-plate", include_str!("../../../scenes/tensioned-plate.toml")),
-    ("thick-ring", include_str!("../../../scenes/thick-ring.toml")),
-    ("thick-ring-solid", include_str!("../../../scenes/thick-ring-solid.toml")),
-    ("thin-ring", include_str!("../../../scenes/thin-ring.toml")),
-    ("tied-rib", include_str!("../../../scenes/meshes/tied-rib.toml")),
-    ("twisted-beam", include_str!("../../../scenes/twisted-beam.toml")),
-    ("twisted-strip", include_str!("../../../scenes/twisted-strip.toml")),
-];
-
-/// What is written beside a template on a mesh: the ending of its name, and what it holds.
-const FILES: [(&str, &str, &str); 7] = [
-    ("flanged-bracket", "geo", include_str!("../../../scenes/meshes/flanged-bracket.geo")),
-    ("flanged-bracket", "msh", include_str!("../../../scenes/meshes/flanged-bracket.msh")),
-    ("stiffened-panel-abaqus", "inp", include_str!("../../../scenes/meshes/stiffened-panel-abaqus.inp")),
-    ("stiffened-panel-gmsh", "geo", include_str!("../../../scenes/meshes/stiffened-panel-gmsh.geo")),
-    ("stiffened-panel-gmsh", "msh", include_str!("../../../scenes/meshes/stiffened-panel-gmsh.msh")),
-    ("t-frame", "msh", include_str!("../../../scenes/meshes/t-frame.msh")),
-    ("tied-rib", "msh", include_str!("../../../scenes/meshes/tied-rib.msh")),
-];
-
-/// Writes a scene to start from, or lists what there is.
-pub fn new(new: &New) -> Result<(), Refused> {
-    let Some(name) = &new.template else {
-        return print(&templates());
-    };
-    let Some((_, text)) = TEMPLATES.iter().find(|(known, _)| known == name) else {
-        return Err(format!("there is no template `{name}`; these are:\n{}", templates()).into());
-    };
-    let file = new.file.clone().unwrap_or_else(|| format!("{name}.toml").into());
-    let shown = file.display().to_string();
-    let mut text = text.replace(&format!("scenes/meshes/{name}.toml"), &shown);
-    text = text.replace(&format!("scenes/{name}.toml"), &shown);
-    for (_, ending, held) in FILES.iter().filter(|(known, ..)| known == name) {
-        let beside = format!("{name}.{ending}");
-        text = text.replace(&format!("scenes/meshes/{beside}"), &beside);
-        write_new(&file.with_file_name(beside), held)?;
+/// Writes a scene to start from: an example, or what questions lead to; without a terminal the examples are listed.
+pub fn new(new: &New, stop: &Arc<Stop>) -> Result<u8, Refused> {
+    if let Some(name) = &new.template {
+        let example = examples::find(name)?;
+        let file = new.file.clone().unwrap_or_else(|| format!("{name}.toml").into());
+        return examples::write(example, &file).map(|()| DONE);
     }
-    // The schema lies beside the scenes of the repository, not here.
-    let lines = text.lines().filter(|line| !line.starts_with("#:schema"));
-    let text: String = lines.map(|line| format!("{line}\n")).collect();
-    write_new(&file, &text)?;
-    print(&format!("{shown}: look at it, then\n  coque check {shown}\n  coque run {shown}\n"))
-}
-
-/// Writes a file that is not there yet, whole or not at all.
-fn write_new(file: &Path, text: &str) -> Result<(), Refused> {
-    let shown = file.display();
-    let refuse = |error: io::Error| match error.kind() {
-        io::ErrorKind::AlreadyExists => format!("{shown} is there already; name another file\n"),
-        _ => format!("cannot write {shown}: {error}\n"),
-    };
-    let mut to = OpenOptions::new().write(true).create_new(true).open(file).map_err(refuse)?;
-    if let Err(error) = to.write_all(text.as_bytes()).and_then(|()| to.sync_all()) {
-        // Half a template is none.
-        let _ = fs::remove_file(file);
-        return Err(refuse(error).into());
+    if !(io::stdin().is_terminal() && io::stderr().is_terminal()) {
+        return print(&examples::listed()).map(|()| DONE);
     }
-    Ok(())
+    let (mut from, mut to) = (io::stdin().lock(), io::stderr());
+    let unheard = |error: io::Error| Refused::from(format!("cannot ask: {error}\n"));
+    let starter = ask(&mut from, &mut to).map_err(unheard)?;
+    let file = format!("{}.toml", starter.name());
+    if starter.what == What::Mesh {
+        examples::write_meshes(BRACKET, Path::new(&file))?;
+    }
+    write_new(Path::new(&file), &starter.scene(&file))?;
+    say(&format!("{file} is written; what it models, and what a run will cost: coque check {file}"));
+    if agreed("Run it now and look at it in the browser?", &mut from, &mut to).map_err(unheard)? {
+        return run::carry_out(&Run::shown(file.into()), stop);
+    }
+    Ok(DONE)
 }
 
-/// Name and title of each template.
-fn templates() -> String {
-    let title = |text| Scene::parse(text, "template").map_or(String::new(), |scene| scene.title.clone());
-    table(TEMPLATES.iter().map(|(name, text)| (name.to_string(), title(text))))
-}
+/// The example whose mesh stands in for one's own.
+const BRACKET: &str = "flanged-bracket";
 
 /// Prints what a scene may name.
 pub fn list(list: &List) -> Result<(), Refused> {

@@ -38,7 +38,7 @@ Examples:
   coque run scenes/ring.toml --view     runs, with frames even if the scene asks for none, and shows them on the way
 
 The page is one file, without a server and without anything fetched: it can be sent as it is. It shows shells with their thickness and
-each face with its own stress, solids, particles of fluids as discs; any field or component in colour, over the range of all frames, of
+each face with its own stress, solids, particles of fluids as spheres or discs; any field or component in colour, over the range of all frames, of
 one, of most numbers (2 to 98 in a hundred) or one set by hand; the curve with a mark at the frame; sets; warnings; the scene. Drag
 turns (moves a plane scene), shift-drag the other of both, the wheel zooms, a click asks for a particle, space plays,
 arrow keys step. Motions are drawn to scale unless another one is chosen; modes have no size and swing.

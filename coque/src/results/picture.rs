@@ -3,26 +3,31 @@
 //! Parallel projection, farther cells first (the painter's way): right for sheets whose cells do not cut each other, for the outer
 //! faces of solids, and for particles, which are squares.
 
+mod extent;
 mod faces;
 mod field;
 mod paint;
+mod seen;
 mod together;
+mod torn;
 
 use std::collections::BTreeMap;
 
-use faces::outer;
+pub use extent::PictureExtent;
 pub use field::FieldNotThere;
-use field::{Values, values};
+use field::Values;
+pub use field::usual_field;
 use mesh_io::Sheet;
-use paint::{Camera, Canvas, HEIGHT, WIDTH, colour};
+use paint::{Bar, Canvas, HEIGHT, WIDTH, colour};
+use seen::{SWING, Seen};
 pub use together::together;
 use together::{SIDE, side};
 
 /// What to draw, and from where.
 #[derive(Clone, Debug)]
 pub struct Picture<'a> {
-    /// A field of the sheet: a number, the length of a vector, or one component as in `moment.11`; without, the damage
-    /// if there is any, the von Mises stress on top if there is one, else the displacement; of a fluid the pressure.
+    /// A field of the sheet: a number, the length of a vector, or one component as in `moment.11`; without, the
+    /// [`usual_field`].
     pub field: Option<&'a str>,
     /// Where the viewer stands: azimuth from x towards y and height above the x–y plane, in degrees.
     pub view: [f64; 2],
@@ -31,16 +36,33 @@ pub struct Picture<'a> {
     pub mirror: &'a [usize],
     /// Displacements are drawn this many times as large.
     pub scale: f64,
-    /// Ends of the colours; left out, the least and greatest value.
+    /// The sheet is a mode, whose motion has no size: at the scale 1 the greatest displacement is drawn as a tenth of the
+    /// body's diagonal, and values are shares of the greatest one.
+    pub sizeless: bool,
+    /// Ends of the colours; left out, those of the extent.
     pub range: Option<[f64; 2]>,
+    /// Zoom and colours; left out, those of the sheet. That of all frames of a run makes their pictures comparable.
+    pub extent: Option<PictureExtent>,
     /// Words above the picture.
     pub title: &'a str,
+    /// Words below them: which instant it is.
+    pub instant: &'a str,
 }
 
 impl<'a> Picture<'a> {
     /// The part as it is, seen from above and aside.
     pub fn new(title: &'a str) -> Self {
-        Self { field: None, view: [-60.0, 30.0], mirror: &[], scale: 1.0, range: None, title }
+        Self {
+            field: None,
+            view: [-60.0, 30.0],
+            mirror: &[],
+            scale: 1.0,
+            sizeless: false,
+            range: None,
+            extent: None,
+            title,
+            instant: "",
+        }
     }
 }
 
@@ -54,50 +76,27 @@ const ON_PLANE: f64 = 1e-6;
 /// # Errors
 /// [`FieldNotThere`], with what there is.
 pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldNotThere> {
-    let seen = outer(sheet);
-    let sheet = seen.as_ref();
-    let Values { name, unit, of_cells } = values(sheet, wanted.field)?;
-    let camera = Camera::new(wanted.view);
-    let start: Vec<[f64; 3]> = match sheet.point_data.get("displacement").filter(|u| u.width == 3) {
-        None => sheet.points.clone(),
-        Some(u) => {
-            // Beside bodies that move, walls have no displacement.
-            let way = |u: f64| if u.is_nan() { 0.0 } else { u };
-            let moved = sheet.points.iter().zip(u.numbers.chunks_exact(3));
-            moved.map(|(x, u)| [x[0] - way(u[0]), x[1] - way(u[1]), x[2] - way(u[2])]).collect()
-        }
-    };
-    let drawn = sheet.points.iter().zip(&start);
-    let drawn: Vec<[f64; 3]> =
-        drawn.map(|(x, from)| [0, 1, 2].map(|i| from[i] + wanted.scale * (x[i] - from[i]))).collect();
-    let see = |points: Vec<[f64; 3]>| -> Vec<[f64; 3]> {
-        mirrored(points, wanted.mirror).iter().map(|x| camera.see(x)).collect()
-    };
-    let images = 1 << wanted.mirror.len();
-    let shifted = |cell: &Vec<usize>, image: usize| -> Vec<usize> {
-        cell.iter().map(|a| a + image * sheet.points.len()).collect()
-    };
-    let cells: Vec<Vec<usize>> =
-        (0..images).flat_map(|image| sheet.cells.iter().map(move |cell| shifted(cell, image))).collect();
-    let (now, before) = (see(drawn), see(start.clone()));
-    let mut canvas = Canvas::fitting(now.iter().chain(&before));
-    canvas.title(wanted.title);
-    if wanted.scale != 1.0 {
-        canvas.remark(&format!("displacements × {}", wanted.scale));
-    }
+    let seen = Seen::of(sheet, wanted)?;
+    let extent = wanted.extent.unwrap_or_else(|| seen.extent());
+    let all: Vec<usize> = (0..seen.sheet.cells.len()).collect();
+    let (drawn_then, cells) = (seen.with_images(&all), seen.with_images(&seen.whole));
+    let Seen { sheet, values: Values { name, unit, of_cells }, camera, start, now, before, whole } = seen;
+    let mut canvas = Canvas::showing(&extent.seen);
+    canvas.titles(wanted.title, &remarks(wanted));
     // Where a part meets its image there is no edge.
     let size = start.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
     let inner = |from: usize, to: usize| {
         let on = |a: usize, axis: usize| start[a % start.len()][axis].abs() <= ON_PLANE * size;
         wanted.mirror.iter().any(|&axis| on(from, axis) && on(to, axis))
     };
-    let edges = outline(&cells).into_iter().filter(|&(from, to)| !inner(from, to));
+    let edges = outline(&drawn_then).into_iter().filter(|&(from, to)| !inner(from, to));
     canvas.dashed(edges.map(|(from, to)| [&before[from], &before[to]]));
-    let range = reported_apart(wanted.range.unwrap_or_else(|| ends(&of_cells)));
+    let (ends, clipped) = wanted.range.map_or_else(|| extent.colours(), |range| (range, false));
+    let range = reported_apart(ends);
     let depth = |cell: &[usize]| cell.iter().map(|&a| now[a][2]).sum::<f64>() / cell.len() as f64;
     let mut order: Vec<(f64, usize)> = cells.iter().enumerate().map(|(i, cell)| (depth(cell), i)).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let (sides, one) = (sheet.point_data.get(SIDE), side(sheet));
+    let (sides, one) = (sheet.point_data.get(SIDE), side(&sheet));
     let side = |cell: usize| match sides {
         Some(sides) => {
             sheet.cells[cell].first().and_then(|&a| sides.numbers.get(a)).copied().filter(|x| x.is_finite())
@@ -106,31 +105,46 @@ pub fn picture_svg(sheet: &Sheet, wanted: &Picture<'_>) -> Result<String, FieldN
     };
     let faces = order.into_iter().map(|(_, i)| {
         let corners = cells[i].iter().map(|&a| &now[a]).collect();
-        let own = i % sheet.cells.len();
+        let own = whole[i % whole.len()];
         (corners, side(own), colour(of_cells[own], range))
     });
     canvas.cells(faces, cells.len() <= MOST_EDGED);
     canvas.axes(&camera);
-    canvas.bar(&name, unit.as_deref(), range);
+    let all = (!wanted.sizeless).then_some(extent.all);
+    canvas.bar(&Bar { name: &name, unit: unit.as_deref(), range, clipped, all });
     Ok(canvas.end())
 }
 
-/// Least and greatest value of a field that a picture would show, for pictures with the same colours.
+/// Which instant it is, and what is not drawn to scale.
+fn remarks(wanted: &Picture<'_>) -> String {
+    let drawn = match wanted.scale {
+        scale if wanted.sizeless => {
+            format!("greatest motion drawn as {} % of the body’s diagonal", 100.0 * SWING * scale)
+        }
+        1.0 => String::new(),
+        scale => format!("displacements × {scale}"),
+    };
+    let words = [wanted.instant, &drawn];
+    words.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join("; ")
+}
+
+/// What the picture of a sheet takes; those of all frames of a run, joined by [`PictureExtent::with`], make their pictures
+/// comparable.
 ///
 /// # Errors
 /// [`FieldNotThere`], with what there is.
-pub fn picture_range(sheet: &Sheet, field: Option<&str>) -> Result<[f64; 2], FieldNotThere> {
-    values(&outer(sheet), field).map(|values| ends(&values.of_cells))
+pub fn picture_extent(sheet: &Sheet, wanted: &Picture<'_>) -> Result<PictureExtent, FieldNotThere> {
+    Seen::of(sheet, wanted).map(|seen| seen.extent())
 }
 
-fn ends(values: &[f64]) -> [f64; 2] {
-    let finite = || values.iter().copied().filter(|value| value.is_finite());
-    [finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max)]
-}
-
-/// Pictures side by side, two in a row.
+/// Pictures side by side: two in a row, of more than six three, of more than twelve four.
 pub fn strip(pictures: &[String]) -> String {
-    let columns = pictures.len().clamp(1, 2);
+    let columns = match pictures.len() {
+        0 | 1 => 1,
+        2..=6 => 2,
+        7..=12 => 3,
+        _ => 4,
+    };
     let (wide, high) = (columns as f64 * WIDTH, pictures.len().div_ceil(columns) as f64 * HEIGHT);
     let mut all = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" viewBox=\"0 0 {wide} {high}\">\n"
@@ -140,18 +154,6 @@ pub fn strip(pictures: &[String]) -> String {
         all += &picture.replacen("<svg ", &format!("<svg x=\"{x}\" y=\"{y}\" "), 1);
     }
     all + "</svg>\n"
-}
-
-/// The points, followed by their images in each plane and, in the next, the images of all these.
-fn mirrored(mut points: Vec<[f64; 3]>, planes: &[usize]) -> Vec<[f64; 3]> {
-    for &axis in planes {
-        let image = points.clone().into_iter().map(|mut x| {
-            x[axis] = -x[axis];
-            x
-        });
-        points.extend(image.collect::<Vec<_>>());
-    }
-    points
 }
 
 /// The ends of the scale; one value where the four digits beside the bar would be the same: rounding has no colour.
@@ -222,8 +224,6 @@ mod tests {
         // Two cells in each quarter; the whole, 4 by 2, has an edge of twelve pieces.
         assert_eq!((count(&document, "cells"), count(&document, "outline")), (8, 12));
         assert!(svg.contains(">displacements × 2<"));
-        let points = mirrored(vec![[1.0, 2.0, 3.0]], &[0, 2]);
-        assert_eq!(points, [[1.0, 2.0, 3.0], [-1.0, 2.0, 3.0], [1.0, 2.0, -3.0], [-1.0, 2.0, -3.0]]);
     }
 
     #[test]
@@ -239,6 +239,37 @@ mod tests {
         }
         // The ends of the scale are the colours of the two cells.
         assert!(svg.contains("#440154") && svg.contains("#fde725"));
+    }
+
+    #[test]
+    fn a_mode_is_drawn_as_large_as_it_can_be_seen() {
+        let mut tiny = sheet();
+        tiny.points.iter_mut().for_each(|x| x[2] = 1e-7);
+        tiny.point_data.get_mut("displacement").unwrap().numbers = [0.0, 0.0, 1e-7].repeat(6);
+        let wanted =
+            Picture { sizeless: true, instant: "mode 3, 12.4 Hz", view: [-90.0, 0.0], ..Picture::new("") };
+        let svg = picture_svg(&tiny, &wanted).unwrap();
+        let words = "mode 3, 12.4 Hz; greatest motion drawn as 10 % of the body’s diagonal";
+        assert!(svg.contains(words) && svg.contains("[of the greatest]"), "{svg}");
+        // Two by one at rest: the way up is a tenth of √5.
+        let [_, up] = picture_extent(&tiny, &wanted).unwrap().seen;
+        assert!((up[1] - up[0] - 0.1 * 5.0_f64.sqrt()).abs() < 1e-9, "{up:?}");
+    }
+
+    #[test]
+    fn pictures_of_one_extent_have_one_zoom_and_one_range() {
+        let mut later = sheet();
+        later.points.iter_mut().for_each(|x| x[0] += 2.0);
+        later.cell_data.get_mut("von_mises_top").unwrap().numbers = vec![3.0, 12.0];
+        let own = Picture::new("");
+        let both = [sheet(), later].map(|sheet| picture_extent(&sheet, &own).unwrap());
+        let wanted = Picture { extent: Some(both[0].with(&both[1])), ..own };
+        let svg = picture_svg(&sheet(), &wanted).unwrap();
+        assert!(
+            svg.contains(">greatest 12<") && svg.contains(">least 2<") && !svg.contains("#fde725\" d"),
+            "{svg}"
+        );
+        assert_ne!(svg, drawn(None));
     }
 
     #[test]

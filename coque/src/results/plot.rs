@@ -1,4 +1,4 @@
-//! The curve as a picture: one line with its points, SVG.
+//! The curve as a picture: one line, with its points where they are few, SVG.
 
 use std::io::Write;
 use std::path::Path;
@@ -9,6 +9,11 @@ use mesh_io::write_whole;
 
 use crate::plain::plain_text;
 use crate::results::curve::Curve;
+
+/// Width in pixels.
+const WIDTH: u32 = 720;
+/// Rows beyond which the line alone is drawn: its points would touch each other.
+const MOST_POINTS: usize = 60;
 
 /// Why a plot could not be made.
 #[derive(Debug, thiserror::Error)]
@@ -60,10 +65,12 @@ fn draw(
     title: &str,
 ) -> Result<String, Box<dyn std::error::Error>> {
     let mut svg = String::new();
-    let area = SVGBackend::with_string(&mut svg, (720, 480)).into_drawing_area();
+    // A letter is about half as wide as it is high.
+    let size = (WIDTH as f64 / (0.53 * title.chars().count().max(1) as f64)).min(22.0);
+    let area = SVGBackend::with_string(&mut svg, (WIDTH, 480)).into_drawing_area();
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&area)
-        .caption(title, ("sans-serif", 22))
+        .caption(title, ("sans-serif", size))
         .margin(12)
         .x_label_area_size(44)
         .y_label_area_size(70)
@@ -78,7 +85,9 @@ fn draw(
         .label_style(("sans-serif", 16))
         .draw()?;
     chart.draw_series(LineSeries::new(points.iter().copied(), BLUE.stroke_width(2)))?;
-    chart.draw_series(points.iter().map(|&p| Circle::new(p, 3, BLUE.filled())))?;
+    if points.len() <= MOST_POINTS {
+        chart.draw_series(points.iter().map(|&p| Circle::new(p, 3, BLUE.filled())))?;
+    }
     area.present()?;
     drop(chart);
     drop(area);

@@ -78,8 +78,11 @@ impl<'a> Along<'a> {
     pub fn words(&self, along: f64) -> Option<String> {
         let said = |name: &str, value: f64| {
             let column = self.curve.columns.iter().find(|column| column.name == name)?;
-            let unit = if column.unit == "-" { String::new() } else { format!(" {}", column.unit) };
-            Some(format!("{name} {}{unit}", short(value)))
+            Some(match column.unit.as_str() {
+                "-" => format!("{name} {}", short(value)),
+                unit if name == "frequency" => format!("{} {unit}", short(value)),
+                unit => format!("{name} {} {unit}", short(value)),
+            })
         };
         let of = |name: &str| said(name, *self.curve.column(name)?.get(self.row(along)?)?);
         match self.column {
@@ -128,10 +131,7 @@ mod tests {
             (vec![Some(0), Some(1), Some(2)], Some("point 2, level 11 N".into()))
         );
         let modes = "mode [-],circular_frequency [rad/s],frequency [Hz]\n1.0,2.0,0.318312\n2.0,4.0,0.6366\n";
-        assert_eq!(
-            said(modes, &[1.0, 2.0]),
-            (vec![Some(0), Some(1)], Some("mode 2, frequency 0.6366 Hz".into()))
-        );
+        assert_eq!(said(modes, &[1.0, 2.0]), (vec![Some(0), Some(1)], Some("mode 2, 0.6366 Hz".into())));
         let buckling = "mode [-],level [-],residual [-]\n1.0,4.0,1e-12\n";
         assert_eq!(said(buckling, &[1.0]).1, Some("mode 1, level 4".into()));
         // A run under way: the row of the last frame is not there yet.

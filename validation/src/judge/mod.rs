@@ -3,6 +3,7 @@
 mod asked;
 mod case;
 mod commit;
+mod film;
 pub mod measure;
 mod measured;
 mod metric;

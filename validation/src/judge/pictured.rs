@@ -3,6 +3,7 @@
 use coque::{FieldError, FieldSink, Frame, Model, Picture, Scene, Sheet, State, picture_svg};
 
 use super::case::Case;
+use super::film::Film;
 use super::variant::{Problem, Variant};
 use crate::methods::CELL;
 
@@ -18,6 +19,8 @@ pub struct Pictured {
     sheet: Sheet,
     /// Planes in which the part is mirrored to the whole.
     mirror: Vec<usize>,
+    /// Frames for a page, where pages are wanted.
+    film: Option<Film>,
 }
 
 /// Number of the run of a case that is pictured: the finest of its scenes with the default formulation, if there is one.
@@ -29,26 +32,39 @@ pub fn chosen(case: &Case, sizes: &[usize]) -> Option<usize> {
     finest.map(|(number, _)| number)
 }
 
-/// Keeps the frame that is drawn.
-#[derive(Default)]
+/// Keeps the frame that is drawn, and those of a page.
 pub struct KeptFrames {
     sheet: Option<Sheet>,
+    film: Option<Film>,
 }
 
 impl FieldSink for KeptFrames {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
-        if frame.shown.state == State::Mode && self.sheet.is_some() {
+        let later_mode = frame.shown.state == State::Mode && self.sheet.is_some();
+        if later_mode && self.film.is_none() {
             return Ok(());
         }
-        self.sheet = Some(frame.sheet(true)?);
+        let sheet = frame.sheet(true)?;
+        if let Some(film) = &mut self.film {
+            film.take(frame, &sheet);
+        }
+        if !later_mode {
+            self.sheet = Some(sheet);
+        }
         Ok(())
     }
 }
 
 impl KeptFrames {
+    /// Nothing so far; frames for a page as well if `pages` are wanted.
+    pub fn new(pages: bool) -> Self {
+        Self { sheet: None, film: pages.then(Film::default) }
+    }
+
     /// What a picture is made from; none of a run that had nothing to show.
     pub fn pictured(self, run: String, mirror: Vec<usize>) -> Option<Pictured> {
-        self.sheet.map(|sheet| Pictured { run, sheet, mirror })
+        let Self { sheet, film } = self;
+        sheet.map(|sheet| Pictured { run, sheet, mirror, film })
     }
 }
 
@@ -89,6 +105,19 @@ impl Pictured {
         Ok((svg, caption))
     }
 
+    /// The run as a small page for a browser; none where pages are not wanted.
+    ///
+    /// # Errors
+    /// What cannot be encoded, in words.
+    pub fn page(&self, title: &str) -> Result<Option<String>, String> {
+        self.film.as_ref().map_or(Ok(None), |film| film.page(&format!("{title} ({})", self.run)))
+    }
+
+    /// Whether there is such a page.
+    pub fn has_page(&self) -> bool {
+        self.film.is_some()
+    }
+
     /// One for displacements that can be seen, else 1, 2 or 5 times a power of ten.
     fn scale(&self) -> f64 {
         let range = |axis: usize| {
@@ -119,7 +148,7 @@ mod tests {
         let scene = Scene::with_overrides(include_str!("../../../scenes/panel.toml"), "panel", &set).unwrap();
         let model = scene.build(1).unwrap();
         let planes = planes(&scene, &model);
-        let mut kept = KeptFrames::default();
+        let mut kept = KeptFrames::new(true);
         let options = coque::RunOptions {
             progress: &mut coque::Silent,
             checkpoints: None,
@@ -137,6 +166,13 @@ mod tests {
         let (svg, caption) = panel.drawn().unwrap();
         assert_eq!(svg.matches("<path fill").count(), 4 * 16);
         assert!(svg.contains("von_mises_top") && caption.contains("mirrored"));
+        let page = panel.page("Panel").unwrap().unwrap();
+        assert!(panel.has_page() && page.contains("Panel (5×5)") && page.len() < 300_000, "{}", page.len());
+        assert!(
+            page.contains("level 1\"")
+                && page.contains("von_mises_top")
+                && !page.contains("von_mises_bottom")
+        );
     }
 
     #[test]

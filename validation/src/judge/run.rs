@@ -25,6 +25,8 @@ pub struct Selection {
     pub names: Vec<String>,
     /// Scenes that run at the same time.
     pub jobs: usize,
+    /// Whether frames of the pictured runs are kept for pages of their own.
+    pub pages: bool,
 }
 
 /// A case with its runs and their records, in the same order.
@@ -63,7 +65,7 @@ pub fn judge(
             *pictured = true;
         }
     }
-    let mut outcomes = run_all(works, selection.jobs, tell)?.into_iter();
+    let mut outcomes = run_all(works, selection, tell)?.into_iter();
     chosen_cases
         .into_iter()
         .map(|(case, left_out)| {
@@ -155,7 +157,7 @@ fn build(case: &'static str, variant: &Variant) -> Result<Work, JudgeError> {
 /// What runs alone comes after all others, one by one.
 fn run_all(
     works: Vec<(&'static str, &Variant, Work)>,
-    jobs: usize,
+    &Selection { jobs, pages, .. }: &Selection,
     tell: &(dyn Fn(String) + Sync),
 ) -> Result<Vec<Left>, JudgeError> {
     let count = works.len();
@@ -181,7 +183,10 @@ fn run_all(
                             }
                             Some(Work::Particles { model, planes, pictured: true }) => {
                                 let (_, method) = &labels[at];
-                                run_pictured(*model, planes, format!("{method}, {}", grids[at]))
+                                let mut kept = KeptFrames::new(pages);
+                                run_pictured(*model, &mut kept).map(|outcome| {
+                                    (outcome, kept.pictured(format!("{method}, {}", grids[at]), planes))
+                                })
                             }
                             Some(Work::Study(study)) => timed(&study).map(|outcome| (outcome, None)),
                             None => continue,
@@ -222,13 +227,10 @@ fn timed(study: &Study) -> Result<Outcome, String> {
     Ok(outcome)
 }
 
-/// Runs a scene and keeps the frame that the report draws.
-fn run_pictured(model: Model, planes: Vec<usize>, run: String) -> Result<Left, String> {
-    let mut kept = KeptFrames::default();
-    let options =
-        RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(&mut kept), from: None };
-    let outcome = model.run_with(options).map_err(|error| error.to_string())?;
-    Ok((Outcome::from(outcome), kept.pictured(run, planes)))
+/// Runs a scene and keeps the frames that the report draws.
+fn run_pictured(model: Model, kept: &mut KeptFrames) -> Result<Outcome, String> {
+    let options = RunOptions { progress: &mut Silent, checkpoints: None, fields: Some(kept), from: None };
+    model.run_with(options).map(Outcome::from).map_err(|error| error.to_string())
 }
 
 fn take<T>(cell: &Mutex<Option<T>>) -> Option<T> {
@@ -282,7 +284,9 @@ mod tests {
     fn result(case: Case) -> CaseResult {
         let variant = &case.variants[0];
         let work = build(case.name, variant).unwrap();
-        let (outcome, _) = run_all(vec![(case.name, variant, work)], 1, &|_| {}).unwrap().remove(0);
+        let selection =
+            Selection { set: Effort::Quick, hard: false, names: Vec::new(), jobs: 1, pages: false };
+        let (outcome, _) = run_all(vec![(case.name, variant, work)], &selection, &|_| {}).unwrap().remove(0);
         let runs = Runs { chosen: vec![Run { variant: variant.clone(), outcome }], left_out: Vec::new() };
         let records = records(&case, &runs).unwrap();
         CaseResult { case, runs, records, picture: None }
@@ -326,6 +330,7 @@ mod tests {
             hard: false,
             names: names.iter().map(ToString::to_string).collect(),
             jobs: 1,
+            pages: false,
         };
         let all = || {
             [("made-up", Quick), ("slow", Usual), ("long", Full), ("expensive", Heavy)]

@@ -76,6 +76,26 @@ pub fn pages(results: &[CaseResult], selection: &Selection) -> Result<Vec<Page>,
     Ok(pages)
 }
 
+/// Pages that show the pictured runs in a browser, by the file they go into; none where they are not wanted.
+///
+/// # Errors
+/// [`JudgeError`] for what cannot be encoded.
+pub fn shapes(results: &[CaseResult]) -> Result<Vec<(String, String)>, JudgeError> {
+    let mut pages = Vec::new();
+    for CaseResult { case, picture, .. } in results {
+        let Some(picture) = picture else { continue };
+        let refused = |cause| JudgeError::Study { case: case.name, method: picture.run.clone(), cause };
+        let page = picture.page(case.title).map_err(refused)?;
+        pages.extend(page.map(|html| (shape_file(case.name), html)));
+    }
+    Ok(pages)
+}
+
+/// Where the page of a case stands, from the folder of the report.
+fn shape_file(case: &str) -> String {
+    format!("shapes/{case}.html")
+}
+
 /// A page beside the first one.
 fn aside(file: &'static str, title: &'static str, text: &str) -> Page {
     Page::new(file, title, &format!("<p><a href='{FIRST}'>All cases</a></p><h1>{title}</h1>{text}"))

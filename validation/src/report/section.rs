@@ -60,7 +60,11 @@ pub fn missed(result: &CaseResult) -> bool {
 fn shape(case: &'static str, picture: &Pictured) -> Result<String, JudgeError> {
     let refused = |cause| JudgeError::Study { case, method: picture.run.clone(), cause };
     let (svg, caption) = picture.drawn().map_err(refused)?;
-    Ok(framed("Deformed shape", &caption, &svg))
+    let link = match picture.has_page() {
+        true => format!("<p><a href='{}'>Turn and play it</a></p>", super::shape_file(case)),
+        false => String::new(),
+    };
+    Ok(framed("Deformed shape", &caption, &svg) + &link)
 }
 
 fn metrics(result: &CaseResult) -> String {

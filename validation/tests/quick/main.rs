@@ -35,7 +35,7 @@ fn the_quick_hard_set_keeps_its_tolerances() {
 
 fn held_against(cases: Vec<Case>, hard: bool, checks: &[(&str, Check)]) {
     let jobs = std::thread::available_parallelism().map_or(1, usize::from);
-    let selection = Selection { set: Effort::Quick, hard, names: Vec::new(), jobs };
+    let selection = Selection { set: Effort::Quick, hard, names: Vec::new(), jobs, pages: false };
     let results = match judge(cases, &selection, &|_| {}) {
         Ok(results) => results,
         Err(error) => panic!("{error}"),

@@ -21,18 +21,36 @@ pub(super) struct Values {
     pub of_cells: Vec<f64>,
 }
 
+impl Values {
+    /// Of what has no size: shares of the greatest size of a value.
+    pub fn as_shares(&mut self) {
+        let sizes = self.of_cells.iter().map(|value| value.abs()).filter(|size| size.is_finite());
+        let greatest = sizes.fold(0.0, f64::max);
+        if greatest > 0.0 {
+            self.of_cells.iter_mut().for_each(|value| *value /= greatest);
+        }
+        self.unit = Some("of the greatest".into());
+    }
+}
+
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The numbers of a field, or of the one that says most.
-pub(super) fn values(sheet: &Sheet, wanted: Option<&str>) -> Result<Values, FieldNotThere> {
+/// The field that says most of a sheet: of a fluid the pressure, damage if there is any, the von Mises stress on top if there
+/// is one, else the displacement.
+pub fn usual_field(sheet: &Sheet) -> &'static str {
     let broken =
         || sheet.point_data.get("damage").is_some_and(|damage| damage.numbers.iter().any(|&x| x.abs() > 0.0));
-    let name = wanted.unwrap_or_else(|| match () {
+    match () {
         () if find(sheet, "pressure").is_some() => "pressure",
         () if broken() => "damage",
         () if find(sheet, "von_mises_top").is_some() => "von_mises_top",
         () => "displacement",
-    });
+    }
+}
+
+/// The numbers of a field, or of the one that says most.
+pub(super) fn values(sheet: &Sheet, wanted: Option<&str>) -> Result<Values, FieldNotThere> {
+    let name = wanted.unwrap_or_else(|| usual_field(sheet));
     let (base, component) = name.split_once('.').map_or((name, None), |(base, c)| (base, Some(c)));
     let found = find(sheet, base);
     let found = found.and_then(|(array, at_cells)| Some((array, scalar(array, component)?, at_cells)));

@@ -2,13 +2,20 @@
 
 use std::fmt::Write;
 
-/// Size of the picture in pixels; the colour bar takes the right side.
+/// Size of the picture in pixels; the colour bar takes the right side, titles the top, the axes of space the bottom.
 pub(super) const WIDTH: f64 = 860.0;
 pub(super) const HEIGHT: f64 = 620.0;
 const LEFT: f64 = 30.0;
-const RIGHT: f64 = 150.0;
-const TOP: f64 = 50.0;
-const BOTTOM: f64 = 40.0;
+const RIGHT: f64 = 160.0;
+const TOP: f64 = 64.0;
+const BOTTOM: f64 = 78.0;
+/// Height of letters; of a title at most.
+const LETTERS: f64 = 15.0;
+const TITLE: f64 = 18.0;
+/// Width of a letter in its height, about.
+const LETTER_WIDTH: f64 = 0.53;
+/// Share of its length that an axis of space must show to be drawn.
+const SHOWN: f64 = 0.1;
 /// Stripes of the colour bar.
 const STRIPES: usize = 64;
 
@@ -63,21 +70,15 @@ pub(super) struct Canvas {
 }
 
 impl Canvas {
-    /// A canvas that all the points seen fit on.
-    pub fn fitting<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> Self {
-        let mut range = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        for point in points {
-            for (bounds, x) in range.iter_mut().zip(point).filter(|(_, x)| x.is_finite()) {
-                *bounds = [bounds[0].min(*x), bounds[1].max(*x)];
-            }
-        }
-        let [wide, high] = range.map(|[low, high]| if high > low { high - low } else { 0.0 });
+    /// A canvas for what lies within bounds to the right and up \[L\].
+    pub fn showing(bounds: &[[f64; 2]; 2]) -> Self {
+        let [wide, high] = bounds.map(|[low, high]| if high > low { high - low } else { 0.0 });
         let fit = ((WIDTH - LEFT - RIGHT) / wide).min((HEIGHT - TOP - BOTTOM) / high);
         let scale = if fit.is_finite() && fit > 0.0 { fit } else { 1.0 };
-        let middle = range.map(|[low, high]| if high >= low { 0.5 * (low + high) } else { 0.0 });
+        let middle = bounds.map(|[low, high]| if high >= low { 0.5 * (low + high) } else { 0.0 });
         let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\" \
-             viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"sans-serif\" font-size=\"14\">\n\
+             viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"sans-serif\" font-size=\"{LETTERS}\">\n\
              <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
         );
         Self { svg, scale, middle }
@@ -95,18 +96,22 @@ impl Canvas {
         ]
     }
 
-    pub fn title(&mut self, text: &str) {
-        self.text([LEFT, 28.0], "start", text);
+    /// The title, and smaller words below it; a long one has smaller letters.
+    pub fn titles(&mut self, title: &str, below: &str) {
+        let fitting = |text: &str, most: f64| {
+            let widest = (WIDTH - 2.0 * LEFT) / (LETTER_WIDTH * text.chars().count().max(1) as f64);
+            most.min(widest)
+        };
+        for (y, text, most) in [(28.0, title, TITLE), (51.0, below, LETTERS)] {
+            let _ = write!(self.svg, "<g font-size=\"{:.1}\">", fitting(text, most));
+            self.text([LEFT, y], "start", text);
+            self.svg += "</g>\n";
+        }
     }
 
     fn text(&mut self, [x, y]: [f64; 2], anchor: &str, text: &str) {
         let safe = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         let _ = writeln!(self.svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{safe}</text>");
-    }
-
-    /// Words in the lower right corner.
-    pub fn remark(&mut self, text: &str) {
-        self.text([WIDTH - LEFT, HEIGHT - 14.0], "end", text);
     }
 
     /// Pieces of the undeformed outline.
@@ -139,6 +144,8 @@ impl Canvas {
                     continue;
                 };
                 let [left, top] = [x, y].map(|middle| middle - 0.5 * side);
+                // Squares of particles have no edges: they stand for no part of space.
+                let own = format!(" stroke=\"{fill}\"");
                 let _ = writeln!(
                     self.svg,
                     "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{side:.1}\" height=\"{side:.1}\" fill=\"{fill}\"{own}/>"
@@ -151,27 +158,32 @@ impl Canvas {
         self.svg += "</g>\n";
     }
 
-    /// The three axes of space, in the lower left corner.
+    /// The three axes of space, in the lower left corner; one that points at the viewer is left out.
     pub fn axes(&mut self, camera: &Camera) {
-        let [x0, y0] = [LEFT + 30.0, HEIGHT - BOTTOM - 10.0];
+        let [x0, y0] = [LEFT + 14.0, HEIGHT - 24.0];
         for (i, name) in ["x", "y", "z"].into_iter().enumerate() {
             let mut unit = [0.0; 3];
             unit[i] = 1.0;
             let [right, up, _] = camera.see(&unit);
+            if libm::hypot(right, up) < SHOWN {
+                continue;
+            }
             let tip = |length: f64| [x0 + length * right, y0 - length * up];
             let [x, y] = tip(30.0);
             let _ = writeln!(
                 self.svg,
                 "<line x1=\"{x0:.1}\" y1=\"{y0:.1}\" x2=\"{x:.1}\" y2=\"{y:.1}\" stroke=\"black\"/>"
             );
-            let [x, y] = tip(40.0);
+            let [x, y] = tip(41.0);
             self.text([x, y + 5.0], "middle", name);
         }
     }
 
-    /// The colour bar with its ends and quarters, name and unit above it.
-    pub fn bar(&mut self, name: &str, unit: Option<&str>, [low, high]: [f64; 2]) {
-        let (x, top, tall) = (WIDTH - RIGHT + 30.0, TOP + 40.0, HEIGHT - TOP - BOTTOM - 80.0);
+    /// The colour bar with round numbers beside it, name and unit above, the least and the greatest value below.
+    pub fn bar(&mut self, bar: &Bar<'_>) {
+        let [low, high] = bar.range;
+        let (x, top) = (WIDTH - RIGHT + 30.0, TOP + 44.0);
+        let tall = HEIGHT - BOTTOM - 24.0 - top;
         let stripe = tall / STRIPES as f64;
         for i in 0..STRIPES {
             let share = (i as f64 + 0.5) / STRIPES as f64;
@@ -184,19 +196,63 @@ impl Canvas {
                 stripe + 0.4
             );
         }
-        self.text([x + 110.0, top - 36.0], "end", name);
-        if let Some(unit) = unit {
-            self.text([x + 110.0, top - 18.0], "end", &format!("[{unit}]"));
+        self.text([WIDTH - 12.0, top - 32.0], "end", bar.name);
+        if let Some(unit) = bar.unit {
+            self.text([WIDTH - 12.0, top - 14.0], "end", &format!("[{unit}]"));
         }
         if low > high {
             return; // no number at all
         }
-        let marks: &[f64] = if low < high { &[0.0, 0.25, 0.5, 0.75, 1.0] } else { &[0.5] };
-        for share in marks {
-            let label = short(low + share * (high - low));
-            self.text([x + 26.0, top + tall * (1.0 - share) + 5.0], "start", &label);
+        for value in marks(low, high) {
+            let share = if high > low { (value - low) / (high - low) } else { 0.5 };
+            let y = top + tall * (1.0 - share);
+            let _ = writeln!(
+                self.svg,
+                "<line x1=\"{:.1}\" y1=\"{y:.1}\" x2=\"{:.1}\" y2=\"{y:.1}\" stroke=\"black\"/>",
+                x + 18.0,
+                x + 23.0
+            );
+            self.text([x + 27.0, y + 5.0], "start", &short(value));
+        }
+        let mut below = Vec::new();
+        if bar.clipped {
+            below.push("colours: 2–98 %".to_owned());
+        }
+        if let Some(all) = bar.all {
+            // What is but rounding beside the other end is nothing.
+            let size = all[0].abs().max(all[1].abs());
+            let [least, greatest] = all.map(|end| if end.abs() <= 1e-9 * size { 0.0 } else { end });
+            below.extend([format!("least {}", short(least)), format!("greatest {}", short(greatest))]);
+        }
+        for (i, words) in below.iter().enumerate() {
+            self.text([x - 12.0, top + tall + 26.0 + 19.0 * i as f64], "start", words);
         }
     }
+}
+
+/// What a colour bar says.
+pub(super) struct Bar<'a> {
+    pub name: &'a str,
+    pub unit: Option<&'a str>,
+    /// Its ends.
+    pub range: [f64; 2],
+    /// Whether values lie beyond them that would leave all others one colour.
+    pub clipped: bool,
+    /// Least and greatest value, where they say something.
+    pub all: Option<[f64; 2]>,
+}
+
+/// Round numbers between two others: steps of 1, 2 or 5 times a power of ten, four to ten of them; a lone number itself.
+fn marks(low: f64, high: f64) -> Vec<f64> {
+    let exact = (high - low) / 4.0;
+    if !(exact.is_finite() && exact > 0.0) {
+        return vec![low];
+    }
+    let power = 10.0_f64.powi(libm::log10(exact).floor() as i32);
+    let step = [5.0, 2.0].into_iter().map(|digit| digit * power).find(|step| *step <= exact).unwrap_or(power);
+    let slack = 1e-9 * step;
+    let (first, last) = (((low - slack) / step).ceil() as i64, ((high + slack) / step).floor() as i64);
+    (first..=last).map(|number| number as f64 * step).collect()
 }
 
 /// A closed path through places in tenths of a pixel, each counted from the one before: half as long as written out.
@@ -246,6 +302,18 @@ mod tests {
         for (found, expected) in seen.iter().zip([1.0, 2.0, 3.0]) {
             assert!((found - expected).abs() < 1e-15, "{seen:?}");
         }
+    }
+
+    #[test]
+    fn marks_are_round() {
+        let near = |found: Vec<f64>, expected: &[f64]| {
+            assert_eq!(found.len(), expected.len(), "{found:?}");
+            assert!(found.iter().zip(expected).all(|(x, y)| (x - y).abs() <= 1e-12 * y.abs()), "{found:?}");
+        };
+        near(marks(2.0, 6.0), &[2.0, 3.0, 4.0, 5.0, 6.0]);
+        near(marks(-513.0, 1606.0), &[-500.0, 0.0, 500.0, 1000.0, 1500.0]);
+        near(marks(2e-17, 0.2174), &[0.0, 0.05, 0.1, 0.15, 0.2]);
+        near(marks(377.0, 377.0), &[377.0]);
     }
 
     #[test]
