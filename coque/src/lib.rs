@@ -155,6 +155,7 @@ mod analyses;
 mod bodies;
 mod commands;
 mod fields;
+mod kept;
 pub mod mesh;
 mod plain;
 mod results;
@@ -163,7 +164,7 @@ pub mod scene;
 mod shown;
 mod warning;
 
-pub use analyses::{Estimate, Event, Kept, RunOptions, Simulation};
+pub use analyses::{Estimate, Event, RunOptions, Simulation};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
     Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
@@ -172,12 +173,14 @@ pub use bodies::{
 };
 pub use commands::command_line;
 pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, SETS, Written};
+pub use kept::Kept;
 pub use mesh_io::{
     Array, At, Connectivity, FieldError, FieldWriter, Kind, ReadError, Rows, Sheet, Values, Whole, listed,
     read_text, rows, write_whole,
 };
 pub use plain::plain_text;
 pub use results::curve::{Column, Curve, NotACurve};
+pub use results::error_bars::{ColumnErrors, CriticalError, ErrorBar, Errors, LatticeRun, Verdict};
 pub use results::growing::GrowingCurve;
 pub use results::picture::{FieldNotThere, Picture, picture_range, picture_svg, strip, together};
 pub use results::plot::{PlotError, plot_svg};

@@ -14,6 +14,7 @@ mod orient;
 mod outward;
 mod quality;
 mod raw;
+mod refine;
 mod refusal;
 mod report;
 mod sections;

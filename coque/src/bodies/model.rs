@@ -11,7 +11,7 @@ use super::probe::Probe;
 use crate::Warning;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Analysis, Output, Scene};
+use crate::scene::{Analysis, Checked, Output, Scene};
 
 /// What is asked of a body, whatever it is made of.
 #[derive(Clone, Debug)]
@@ -55,6 +55,8 @@ pub struct Model {
     pub(crate) threads: usize,
     pub(crate) warnings: Vec<Warning>,
     pub(crate) judge: Option<ShapeJudge>,
+    /// Its scene, where the errors of its numbers are asked for.
+    pub(crate) barred: Option<Box<Checked>>,
 }
 
 /// Looks for warnings in the shapes that a body of such cells took.
@@ -83,6 +85,7 @@ impl Model {
             threads: 1,
             warnings: Vec::new(),
             judge: None,
+            barred: None,
             sets: BTreeMap::new(),
         }
     }
@@ -90,6 +93,12 @@ impl Model {
     /// What is known beforehand to make its numbers wrong, and why.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    /// Names of the columns that its scene measures.
+    pub fn measured(&self) -> Vec<String> {
+        let own = self.probes.iter().flat_map(|probe| probe.columns(&self.task.units));
+        own.map(|column| column.name).collect()
     }
 
     /// The columns of the analysis with their units, and those of the probes.

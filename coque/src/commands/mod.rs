@@ -6,6 +6,7 @@
 mod accuracy;
 mod bar;
 mod check;
+mod errors;
 mod mesh;
 mod plot;
 mod resume;
@@ -79,6 +80,7 @@ Start here:
   coque new plate                   a commented scene to start from: plate.toml
   coque check plate.toml            what it models, what it leaves out, what a run will cost
   coque check plate.toml --accuracy 0.5%    which lattice and analysis that takes
+  coque run plate.toml --error      every number with its error, from runs on coarser lattices
   coque list                        what a scene may name
   coque run --help                  options, examples, where results are
   coque mesh panel.msh              what a mesh holds, and what is wrong with it

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use clap::Args;
 
 use super::bar::Bar;
+use super::errors;
 use super::stderr::{Refused, say};
 use super::stop::Stop;
 use super::view::Follower;
@@ -27,6 +28,9 @@ pub struct Run {
     /// Replace a value of the scene; may be given several times.
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = replacement)]
     replaced: Vec<(String, String)>,
+    /// Give every number its error: the run is followed by runs on coarser lattices, which take about half as long, or finer ones.
+    #[arg(long)]
+    error: bool,
     /// Show the run in the browser, on the way and at its end; a scene without [output.fields] gets them, with stresses.
     #[arg(long)]
     view: bool,
@@ -43,10 +47,11 @@ Examples:
   coque run scenes/plate.toml --set analysis.modal.modes=6           frequencies
   coque run scenes/panel.toml --set 'output.fields={ stresses = true }'     then open out/panel/fields/shell.pvd
   coque run scenes/ring.toml --set output.checkpoint_every=60        then `coque resume out/ring` if it was stopped
+  coque run scenes/ring.toml --set analysis.static.levels=8 --error  each number with its error
   coque run scenes/panel.toml --set 'analysis.arc-length.stop={ column = \"w_crown\", above = 30 }'
 
 Results, in DIR:
-  curve.csv      one row per load level or record; the first row names columns with units
+  curve.csv      one row per load level or record; the first row names columns with units; with --error or [error] a column `NAME ±` beside each
   curve.svg      the plot that [output] asks for
   fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; of a solid solid.pvd; written on the way;
                  sets.json has particles by the name of their set
@@ -79,6 +84,10 @@ pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let (mut scene, text) = read_scene(&run.scene, &replaced)?;
     if run.view && scene.output.fields.is_none() {
         replaced.push(("output.fields".into(), "{ stresses = true }".into()));
+        (scene, _) = read_scene(&run.scene, &replaced)?;
+    }
+    if run.error && scene.error.is_none() {
+        replaced.push(("error".into(), "{}".into()));
         (scene, _) = read_scene(&run.scene, &replaced)?;
     }
     let model = build(&scene, run.threads.into())?;
@@ -129,12 +138,14 @@ pub fn launch(
         model.task.title, described.particles, described.dof
     ));
     let early = model.warnings().to_vec();
+    let measured = model.measured();
     early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let curve = GrowingCurve::new(&out.join(ResultFolder::CURVE));
     let mut bar = Bar::new(described.particles, stop.clone(), curve);
     let kept = model.run_into(folder, origin, from, &mut bar, None)?;
     bar.finish();
     let code = report(&kept.outcome, &early, out, kept.resumable);
+    errors::report(&kept.outcome, &measured);
     kept.written?;
     Ok(code)
 }

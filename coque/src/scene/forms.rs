@@ -11,7 +11,7 @@ use super::shell::ShellScene;
 use super::source::{BODIES, Source, unknown};
 
 /// All keys at the top of a scene, in either form.
-const WORDS: [&str; 23] = [
+const WORDS: [&str; 24] = [
     "title",
     "units",
     "geometry",
@@ -35,6 +35,7 @@ const WORDS: [&str; 23] = [
     "coupling",
     "curve",
     "output",
+    "error",
 ];
 
 /// Name and kind of the body that the short form means.
