@@ -39,7 +39,7 @@
 //! | the run, its figures, what it goes on from | `run/active_run.rs`, `run/record.rs`, `run/checkpoint/` |
 //! | in time, without time, linear, as modes, what it will cost | `analyses/`, one file each |
 //! | led event by event | [`Simulation`], `analyses/simulation.rs`; how far an analysis has come: `analyses/course.rs` |
-//! | which lattice reaches an accuracy | [`accuracy`] |
+//! | which lattice reaches an accuracy; the error of every number | [`accuracy`]; [`Checked::errors`] |
 //! | what is known to make a number wrong | `bodies/shell/warnings/`, `bodies/solid/warnings.rs`; the words: `warning.rs` |
 //! | what the folder of a run shows, for pages and pictures | `shown/`; [`page_of`] |
 //! | the words of the command line | `commands/`; [`command_line`] |

@@ -47,6 +47,11 @@ fn named(scene: &Scene) -> (Vec<String>, Vec<String>) {
         .flat_map(|support| support.sets_mut().map(|on| on.clone()).collect::<Vec<_>>())
         .collect();
     acting.extend(scene.loads.iter().map(|load| load.on.clone()));
+    if let Some(shell) = scene.as_shell() {
+        acting.extend(shell.parts.iter().map(|part| part.on.clone()));
+        acting.extend(shell.masses.iter().map(|mass| mass.on.clone()));
+        acting.extend(shell.rigid.iter().map(|set| set.on.clone()));
+    }
     (acting, scene.curve.iter().map(|column| column.on.clone()).collect())
 }
 
