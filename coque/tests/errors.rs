@@ -110,7 +110,7 @@ fn a_mesh_is_refined_face_by_face() {
         units = { length = "m", force = "N", time = "s" }
         geometry.mesh = { file = "plate" }
         material.elastic = { young = 1e7, poisson = 0.3, density = 1.0 }
-        section.homogeneous = { thickness = 0.01 }
+        section.homogeneous = { thickness = 0.001 }
         supports = [{ on = "boundary0", clamped = {} }]
         loads = [{ on = "all", gravity = { acceleration = [0.0, 0.0, 1.0] } }]
         analysis.linear = {}
@@ -122,8 +122,8 @@ fn a_mesh_is_refined_face_by_face() {
     let (_, errors) = errors(&plate);
     let w = errors.of("w").unwrap().bars[0];
     assert_eq!(errors.lattices.len(), 3, "{:?}", errors.without);
-    // Timoshenko: .00126 q a⁴/D, q of .01, D of .9158.
-    let exact = 0.001_265_3 * 0.01 / (1e7 * 1e-6 / (12.0 * 0.91));
+    // Without shear: .0012653 q a⁴/D, q of 10⁻³; shear adds some 19 (h/a)² of it.
+    let exact = 0.001_265_32 * 1e-3 / (1e7 * 1e-9 / (12.0 * 0.91));
     assert!((w.value - exact).abs() <= w.bar.unwrap(), "{w:?}, {exact}");
     assert!(errors.lacks.iter().any(|words| words.contains("curvature of the mesh")));
 }
@@ -206,4 +206,27 @@ fn limit_points_are_paired_by_kind_and_order() {
     let limits: Vec<_> = errors.critical.iter().filter(|point| point.kind == "limit point").collect();
     assert!(!limits.is_empty());
     assert!(limits.iter().all(|point| point.bar.verdict != Verdict::Unpaired && point.bar.bar.is_some()));
+}
+
+#[test]
+fn an_accuracy_that_is_asked_for_is_reached_and_the_lattice_is_in_the_copy_of_the_scene() {
+    let folder = std::env::temp_dir().join(format!("coque-accuracy-{}", std::process::id()));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_coque"));
+    command
+        .arg("run")
+        .arg(scenes().join("scordelis-lo.toml"))
+        .arg("--out")
+        .arg(&folder)
+        .args(["--accuracy", "1%"]);
+    let said = command.output().unwrap();
+    let words = String::from_utf8(said.stderr).unwrap();
+    assert!(said.status.success() && words.contains("1.0 % takes"), "{words}");
+    let summary: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(folder.join("summary.json")).unwrap()).unwrap();
+    let found = &summary["errors"]["w_edge"];
+    assert!(found["bar"].as_f64().unwrap() <= 0.01 * found["value"].as_f64().unwrap(), "{words}");
+    assert!(
+        std::fs::read_to_string(folder.join("scene.toml")).unwrap().contains("geometry.cylinder.particles=[")
+    );
+    std::fs::remove_dir_all(folder).unwrap();
 }

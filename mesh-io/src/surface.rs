@@ -21,8 +21,7 @@ mod sections;
 mod sides;
 mod undivided;
 
-use std::collections::BTreeMap;
-use std::fmt;
+use std::{collections::BTreeMap, fmt};
 
 use sph_core::{Cell, Cloud, Frame, Vec3, pair_triangles};
 

@@ -29,10 +29,10 @@ pub struct OnLattice {
 /// The bar of an answer from those on one or two other lattices; `scale` is the greatest value of its column.
 pub fn bar(own: OnLattice, others: &[OnLattice], scale: f64) -> ErrorBar {
     let value = own.value;
-    let told = |bar, order, verdict| ErrorBar { value, bar, order, verdict };
+    let with = |bar, order, verdict| ErrorBar { value, bar, order, verdict };
     let mut all: Vec<OnLattice> = others.iter().copied().chain([own]).collect();
     if others.is_empty() || all.iter().any(|answer| !answer.value.is_finite()) {
-        return told(None, None, Verdict::Unpaired);
+        return with(None, None, Verdict::Unpaired);
     }
     all.sort_by(|a, b| b.spacing.total_cmp(&a.spacing));
     let (least, most) = all
@@ -40,24 +40,24 @@ pub fn bar(own: OnLattice, others: &[OnLattice], scale: f64) -> ErrorBar {
         .fold((value, value), |(low, high), answer| (low.min(answer.value), high.max(answer.value)));
     let greatest = most - least;
     if greatest <= ROUND_OFF * scale {
-        return told(Some(greatest), None, Verdict::Exact);
+        return with(Some(greatest), None, Verdict::Exact);
     }
     let &[first, second, third] = &all[..] else {
         let (a, b) = (all[0], all[1]);
-        return told(Some(SAFETY[1] * share(a, b, own, 2.0)), None, Verdict::TwoLattices);
+        return with(Some(SAFETY[1] * share(a, b, own, 2.0)), None, Verdict::TwoLattices);
     };
     let differences = [first.value - second.value, second.value - third.value];
     if differences[0] * differences[1] < 0.0 {
-        return told(Some(greatest), None, Verdict::NotYet);
+        return with(Some(greatest), None, Verdict::NotYet);
     }
     let spacings = [first, second, third].map(|answer| answer.spacing);
     let Some(order) = order(spacings, differences.map(f64::abs)) else {
-        return told(None, None, Verdict::Grows);
+        return with(None, None, Verdict::Grows);
     };
     // Of the pairs that the run itself is one of, the more careful.
     let pairs = [(first, second), (second, third)].into_iter().filter(|&(a, b)| a == own || b == own);
     let error = pairs.map(|(a, b)| share(a, b, own, order)).fold(0.0, f64::max);
-    told(Some(SAFETY[0] * error), Some(order), Verdict::Converging)
+    with(Some(SAFETY[0] * error), Some(order), Verdict::Converging)
 }
 
 /// The error of `own` if the difference of two answers is one of C hᵖ.

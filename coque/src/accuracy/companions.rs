@@ -10,25 +10,14 @@ use sph_core::Vec3;
 
 use super::kept::{KeptSet, greatest_common_divisor, kept, least_common_multiple};
 use super::meshes;
-use super::refined::{Change, cells, refine, step};
+use super::refined::{Change, Refined, cells, refine, step};
 use crate::scene::error::SceneError;
 use crate::scene::{Checked, Fields, Output, Scene};
 
-/// A scene on another lattice than its own.
-#[derive(Clone, Debug)]
-pub struct Companion {
-    /// The scene, without results of its own.
-    pub scene: Checked,
-    /// Spacing over that of the scene as it was given \[–\].
-    pub spacing: f64,
-    /// The lattice in words.
-    pub lattice: String,
-}
-
 /// The lattices beside a scene's own.
 pub struct Companions {
-    /// Those it is run on; one at least.
-    pub lattices: Vec<Companion>,
+    /// Those it is run on; one at least. They write no results of their own.
+    pub lattices: Vec<Refined>,
     /// Names of sets that are on no particles there, with which no column has a bar.
     pub moved: Vec<String>,
     /// What the bars do not hold for want of other lattices.
@@ -124,12 +113,12 @@ fn alone(scene: &Checked) -> Scene {
 }
 
 /// Lattices with the spacings wanted, if all are to be had.
-fn lattices(scene: &Scene, wanted: &[f64], sets: &[&KeptSet], even: bool) -> Option<Vec<Companion>> {
+fn lattices(scene: &Scene, wanted: &[f64], sets: &[&KeptSet], even: bool) -> Option<Vec<Refined>> {
     wanted.iter().map(|&spacing| nearest(scene, spacing, sets, even)).collect()
 }
 
 /// The lattice whose spacing is nearest to the one wanted and whose directions are alike.
-fn nearest(scene: &Scene, wanted: f64, sets: &[&KeptSet], even: bool) -> Option<Companion> {
+fn nearest(scene: &Scene, wanted: f64, sets: &[&KeptSet], even: bool) -> Option<Refined> {
     let alone = scene.bodies.len() == 1;
     let multiple = |axis: usize, cells: usize| {
         let held = sets
@@ -138,7 +127,7 @@ fn nearest(scene: &Scene, wanted: f64, sets: &[&KeptSet], even: bool) -> Option<
             .fold(1, |a, &b| least_common_multiple(a, b));
         if even || !alone { least_common_multiple(held, step(cells)) } else { held }
     };
-    let mut found: Vec<(f64, Companion)> = Vec::new();
+    let mut found: Vec<(f64, Refined)> = Vec::new();
     for fineness in finenesses(scene, wanted) {
         let mut refined = scene.clone();
         let changes: Option<Vec<Change>> =
@@ -160,7 +149,7 @@ fn nearest(scene: &Scene, wanted: f64, sets: &[&KeptSet], even: bool) -> Option<
             continue;
         }
         if let Ok(scene) = refined.check() {
-            found.push((off + apart, Companion { scene, spacing: libm::exp(mean), lattice }));
+            found.push((off + apart, Refined { scene, spacing: libm::exp(mean), lattice }));
         }
     }
     found.into_iter().min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, companion)| companion)

@@ -6,8 +6,8 @@ use std::time::Instant;
 use sph_core::{Cell, Vec3};
 
 use super::bars::{OnLattice, bar};
-use super::companions::Companion;
 use super::pairing::{Key, Shapes, by_column, by_shape, key};
+use super::refined::Refined;
 use super::said::{holds, lacks};
 use crate::results::curve::{Column, Curve};
 use crate::results::error_bars::{ColumnErrors, CriticalError, ErrorBar, Errors, LatticeRun, Verdict};
@@ -95,12 +95,12 @@ impl Checked {
 
 /// Runs a companion; none where it is refused or finds nothing, which is said; `Break` where it was ended from outside.
 fn run(
-    companion: &Companion,
+    companion: &Refined,
     threads: usize,
     progress: &mut dyn Progress,
     errors: &mut Errors,
 ) -> ControlFlow<(), Option<Found>> {
-    let Companion { scene, spacing, lattice } = companion;
+    let Refined { scene, spacing, lattice } = companion;
     let begun = Instant::now();
     let model = match scene.build(threads) {
         Ok(model) => model,
@@ -169,8 +169,8 @@ fn fill(errors: &mut Errors, scene: &Checked, own: &Found, others: &[Found], mov
 /// The bar of a number that is zero by symmetry: what is there is round-off.
 fn zero(found: ErrorBar, answers: &[OnLattice]) -> ErrorBar {
     let most = answers.iter().map(|answer| answer.value.abs()).fold(found.value.abs(), f64::max);
-    let told = !answers.is_empty() && most.is_finite();
-    if told { ErrorBar { bar: Some(most), order: None, verdict: Verdict::Exact, ..found } } else { found }
+    let known = !answers.is_empty() && most.is_finite();
+    if known { ErrorBar { bar: Some(most), order: None, verdict: Verdict::Exact, ..found } } else { found }
 }
 
 /// Greatest values of a column and of all columns of its unit.

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::companions::Companion;
+use super::refined::Refined;
 use crate::mesh::{MeshError, Surface, read};
 use crate::scene::{Analysis, Checked, Scene};
 
@@ -14,7 +14,7 @@ const TWICE: usize = 2000;
 ///
 /// # Errors
 /// In words: meshes that are points, that are tied, or whose sections are those of the file; what no cloud can be made of.
-pub(super) fn finer(scene: &Checked, alone: &Scene) -> Result<Vec<Companion>, String> {
+pub(super) fn finer(scene: &Checked, alone: &Scene) -> Result<Vec<Refined>, String> {
     let shell = scene.as_shell().filter(|shell| shell.geometry.mesh().is_some());
     let Some((shell, mesh)) = shell.and_then(|shell| Some((shell, shell.geometry.mesh()?))) else {
         return Ok(Vec::new());
@@ -53,7 +53,7 @@ pub(super) fn finer(scene: &Checked, alone: &Scene) -> Result<Vec<Companion>, St
         refined.surfaces.insert(mesh.file.clone(), Arc::new(arrays));
         let refined = refined.check().map_err(|error| format!("the finer mesh is refused: {error}"))?;
         let spacing = 1.0 / f64::from(1 << time);
-        finer.push(Companion { scene: refined, spacing, lattice: format!("mesh of {nodes} nodes") });
+        finer.push(Refined { scene: refined, spacing, lattice: format!("mesh of {nodes} nodes") });
     }
     Ok(finer)
 }

@@ -26,7 +26,7 @@ mod said;
 use std::time::Duration;
 
 pub use bars::{OnLattice, bar};
-pub use companions::{Companion, Companions};
+pub use companions::Companions;
 pub use convergence::Convergence;
 pub use ladder::{ClimbError, Ladder, Rung};
 pub use refined::Refined;

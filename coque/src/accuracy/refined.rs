@@ -20,6 +20,35 @@ pub struct Refined {
     pub lattice: String,
 }
 
+impl Refined {
+    /// What makes the scene as it was given this one, as paths and values (`--set`); none of a mesh and of several bodies.
+    pub fn overrides(&self) -> Option<Vec<(String, String)>> {
+        let scene = self.scene.first_body().ok().filter(|_| self.scene.bodies.len() == 1)?;
+        let (key, value) = match scene.body {
+            BodyScene::Shell(shell) => {
+                let (word, placing) = (shell.geometry.word(), shell.geometry.placing());
+                match (placing.particles, placing.scattered) {
+                    (_, Some(scattered)) => {
+                        (format!("{word}.scattered.spacing"), format!("{:?}", scattered.spacing.get()))
+                    }
+                    (Some(particles), None) => (format!("{word}.particles"), format!("{particles:?}")),
+                    (None, None) => return None,
+                }
+            }
+            BodyScene::Solid(solid) => match (&solid.geometry.block, &solid.geometry.arc) {
+                (Some(block), _) => {
+                    let axes = 0..block.lengths.len();
+                    let spacing: Vec<f64> = axes.map(|axis| block.spacing.along(axis)).collect();
+                    ("block.spacing".into(), format!("{spacing:?}"))
+                }
+                (None, arc) => ("arc.cells".into(), format!("{:?}", arc.as_ref()?.cells)),
+            },
+            BodyScene::Fluid(_) | BodyScene::Walls(_) => return None,
+        };
+        Some(vec![(scene.body_scope().path(&format!("geometry.{key}")), value)])
+    }
+}
+
 impl Checked {
     /// The scene with its spacing divided by `fineness`, as nearly as whole numbers of cells allow; even numbers stay even,
     /// so that a particle in the middle stays there.

@@ -101,13 +101,13 @@ fn basis(forecast: &Forecast) -> String {
 }
 
 /// A share in percent, to two digits.
-fn percent(share: f64) -> String {
+pub fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     let digits = if percent > 0.0 { (1 - libm::log10(percent).floor() as i32).max(0) as usize } else { 0 };
     format!("{percent:.digits$} %")
 }
 
 /// A time: tenths of a second while they tell something.
-fn time(seconds: f64) -> String {
+pub fn time(seconds: f64) -> String {
     if seconds < 10.0 { format!("{seconds:.2} s") } else { clock(seconds) }
 }

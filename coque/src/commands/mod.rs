@@ -4,6 +4,7 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod accuracy;
+mod accurate;
 mod bar;
 mod check;
 mod errors;

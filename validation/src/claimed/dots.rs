@@ -14,6 +14,24 @@ const SAME: f64 = 1e-9;
 /// Digits up to which a reference is one that was printed, and known to half of its last.
 const PRINTED: usize = 6;
 
+/// All of it, in percent.
+const WHOLE: f64 = 100.0;
+/// Judged errors in percent that are none of an answer: of balances, of noise, from one run to the next.
+const NO_ANSWERS: [&str; 12] = [
+    "balance",
+    "spread",
+    "drift",
+    "change",
+    "rms",
+    "density",
+    "taken",
+    "damage",
+    "energy",
+    "deviation",
+    "area by",
+    "outside",
+];
+
 /// The half of the cases that a dot belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -37,6 +55,8 @@ pub struct Dot {
     pub value: f64,
     /// The reference.
     pub reference: f64,
+    /// What errors are shares of: the size of the reference, of an error in percent a hundred.
+    pub scale: f64,
     /// Half of the last digit of a printed reference.
     pub rounding: f64,
     /// The bar; none where the numbers grow with refinement or are not found.
@@ -63,28 +83,30 @@ impl Dot {
 pub(super) fn of(case: &Case, ran: &OnLattices, metrics: &[Vec<Metric>]) -> Vec<Dot> {
     let Some((own, others)) = metrics.split_first() else { return Vec::new() };
     let dot = |metric: &Metric| {
-        let (value, reference) = (metric.value?, metric.reference?);
-        let compared =
-            metric.error.is_some_and(|error| (error - (value - reference).abs()).abs() <= SAME * error);
-        if metric.name == KNOWN || !compared || reference == 0.0 {
+        let (value, reference) = (metric.value?, reference(metric)?);
+        let off = (value - reference).abs();
+        let compared = metric.error.is_some_and(|error| (error - off).abs() <= SAME * error);
+        if metric.name == KNOWN || !compared {
             return None;
         }
         let mut answers = vec![OnLattice { spacing: 1.0, value }];
         for (found, spacing) in others.iter().zip(&ran.spacings[1..]) {
             let same = found.iter().find(|other| other.name == metric.name)?;
             // What is held against another run of ours is no reference.
-            if (same.reference? - reference).abs() > SAME * reference.abs() {
+            if (same.reference.unwrap_or(0.0) - reference).abs() > SAME * reference.abs() {
                 return None;
             }
             answers.extend(same.value.map(|value| OnLattice { spacing: *spacing, value }));
         }
-        let found = bar(answers[0], &answers[1..], value.abs());
+        let scale = if metric.reference.is_some() { reference.abs() } else { WHOLE };
+        let found = bar(answers[0], &answers[1..], scale);
         Some(Dot {
             name: format!("{}: {} {}: {}", case.name, ran.variant.method, ran.variant.grid, metric.name),
             family: case.family,
             half: half(case.name),
             value,
             reference,
+            scale,
             rounding: rounding(reference),
             bar: found.bar,
             verdict: found.verdict,
@@ -92,6 +114,15 @@ pub(super) fn of(case: &Case, ran: &OnLattices, metrics: &[Vec<Metric>]) -> Vec<
         })
     };
     own.iter().filter_map(dot).collect()
+}
+
+/// What a metric is held against; zero for a judged error in percent of a truth. A reference of zero is that of a balance.
+fn reference(metric: &Metric) -> Option<f64> {
+    let answer = || NO_ANSWERS.iter().all(|word| !metric.name.contains(word));
+    match metric.reference {
+        Some(reference) => Some(reference).filter(|&reference| reference != 0.0),
+        None => (metric.tolerance.is_some() && metric.unit.starts_with('%') && answer()).then_some(0.0),
+    }
 }
 
 /// The half of a case: by the last bit of the sum of the bytes of its name, each mixed in by a prime (FNV-1a).

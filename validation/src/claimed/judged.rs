@@ -110,7 +110,7 @@ pub fn page(dots: &[Dot]) -> Result<Page, JudgeError> {
     // Over the reference; what is exact to all digits stands at the edge.
     let least = 1e-9;
     let place = |dot: &Dot| {
-        let scale = dot.reference.abs();
+        let scale = dot.scale;
         Some(((dot.error() / scale).clamp(least, 1.0), (dot.bar? / scale).clamp(least, 1.0)))
     };
     let of = |half: Half| dots.iter().filter(|dot| dot.half == half).filter_map(place).collect();
