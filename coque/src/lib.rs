@@ -179,6 +179,7 @@ pub use mesh_io::{
     read_text, rows, write_whole,
 };
 pub use plain::plain_text;
+pub use results::chart::{Costs, costs_svg};
 pub use results::curve::{Column, Curve, NotACurve};
 pub use results::error_bars::{ColumnErrors, CriticalError, ErrorBar, Errors, LatticeRun, Verdict};
 pub use results::growing::GrowingCurve;

@@ -6,7 +6,8 @@
 //! F |C| h₀ᵖ,    |C| = |a₀ − a₁| / |h₁ᵖ − h₀ᵖ|,    F = 2
 //! ```
 //!
-//! on the spacing h₀ of the run itself, with p from one half to two. On lattices in steps of √2 that is F |a₀ − a₁|/(2^{p/2} − 1). With one other lattice
+//! on the spacing h₀ of the run itself, with p from one half to two. Where differences fall faster than with the fourth order, the nearer lattice agrees with
+//! the run by chance, and the difference of the other two counts. On lattices in steps of √2 that is F |a₀ − a₁|/(2^{p/2} − 1). With one other lattice
 //! the second order is taken, and F is 3 \[roache1994\].
 
 use super::convergence::order;
@@ -14,6 +15,8 @@ use crate::results::error_bars::{ErrorBar, Verdict};
 
 /// Factor on the error where three lattices show an order, and where two do not.
 const SAFETY: [f64; 2] = [2.0, 3.0];
+/// Order beyond which two lattices agree by chance: twice that of the methods.
+const CHANCE: f64 = 4.0;
 /// Differences below this share of the greatest value of a column are round-off: answers of Newton's method and of factors agree so far.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -54,8 +57,11 @@ pub fn bar(own: OnLattice, others: &[OnLattice], scale: f64) -> ErrorBar {
     let Some(order) = order(spacings, differences.map(f64::abs)) else {
         return with(None, None, Verdict::Grows);
     };
-    // Of the pairs that the run itself is one of, the more careful.
-    let pairs = [(first, second), (second, third)].into_iter().filter(|&(a, b)| a == own || b == own);
+    // Of the pairs that the run itself is one of, the more careful; of all where the last two agree by chance.
+    let [h1, h2, h3] = spacings.map(|h| libm::pow(h / own.spacing, CHANCE));
+    let chance = (differences[0] * (h2 - h3)).abs() > (differences[1] * (h1 - h2)).abs();
+    let pairs = [(first, second), (second, third)].into_iter();
+    let pairs = pairs.filter(|&(a, b)| chance || a == own || b == own);
     let error = pairs.map(|(a, b)| share(a, b, own, order)).fold(0.0, f64::max);
     with(Some(SAFETY[0] * error), Some(order), Verdict::Converging)
 }
@@ -105,9 +111,17 @@ mod tests {
 
     #[test]
     fn what_falls_faster_than_the_second_order_is_taken_at_the_second() {
-        let found = of(SPACINGS, [1.0, 1.1, 2.0]);
+        let found = of(SPACINGS, [1.0, 1.1, 1.35]);
         assert_eq!(found.order, Some(2.0));
         assert!((found.bar.unwrap() - 2.0 * 0.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn two_lattices_that_agree_by_chance_do_not_count() {
+        let found = of(SPACINGS, [1.0, 1.001, 1.2]);
+        assert_eq!(found.order, Some(2.0));
+        // The difference of the other two, at the second order: C of .199/2.
+        assert!((found.bar.unwrap() - 2.0 * 0.199 / 2.0).abs() < 1e-12);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! What a run leaves behind, and the files it is written to.
 
+pub(crate) mod chart;
 pub(crate) mod curve;
 pub(crate) mod error_bars;
 pub(crate) mod growing;

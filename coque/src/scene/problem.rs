@@ -55,7 +55,7 @@ pub struct Scene {
     /// Further results.
     #[serde(default)]
     pub output: Output,
-    /// Whether every number has its error beside it: the run is followed by runs on other lattices.
+    /// Whether every number has its error beside it: a run into a folder is followed by runs on other lattices. Sweeps leave it out.
     pub error: Option<ErrorBars>,
     /// Surfaces in memory, by the names under which `geometry.mesh.file` calls them; other names are files.
     #[serde(skip)]
