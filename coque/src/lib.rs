@@ -145,6 +145,7 @@
 //! | a fluid: still water presses as it is deep, the energy of a dam break balances, threads change no bit | tests/fluid.rs |
 //! | a fluid with a shell or a solid in it goes on to the same bits | `a_fluid_and_what_is_in_it_go_on_to_the_same_bits` (tests/resume.rs) |
 //! | what is refused of fluids, walls and what is in them | tests/fluid_refusals.rs |
+//! | bars hold the true error, the run is not touched, what has no bar is said | tests/errors.rs |
 //! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
 //! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |
 //! | loads on cells, parts and sections of files as closed forms have them; columns of strains are those of a beam | tests/parts.rs |

@@ -9,7 +9,7 @@ use plotters::prelude::*;
 use super::plot::PlotError;
 use crate::plain::plain_text;
 
-/// Colours of the methods, in turn: told apart by people who see red and green alike.
+/// Colours of the methods, in turn: distinguished by people who see red and green alike.
 const COLOURS: [RGBColor; 4] =
     [RGBColor(0, 114, 178), RGBColor(213, 94, 0), RGBColor(0, 158, 115), RGBColor(204, 121, 167)];
 
