@@ -44,13 +44,14 @@ impl Share {
 
 /// Groups of the table: all of a half, and what of it is no shell.
 fn groups(dots: &[Dot]) -> Vec<(&'static str, Option<Share>)> {
-    let of = |half: Half| dots.iter().filter(move |dot| dot.half == half);
+    let of = |half: Half| dots.iter().filter(move |dot| dot.half == half && dot.theory.is_none());
     let shell = |dot: &&Dot| !OTHERS.contains(&dot.family);
     vec![
         ("judged half", Share::of(of(Half::Judged))),
         ("judged half, shells", Share::of(of(Half::Judged).filter(shell))),
         ("judged half, without shells", Share::of(of(Half::Judged).filter(|dot| !shell(dot)))),
         ("half of the choice", Share::of(of(Half::Chosen))),
+        ("references of other theories", Share::of(dots.iter().filter(|dot| dot.theory.is_some()))),
     ]
 }
 
@@ -67,7 +68,7 @@ const OTHERS: [&str; 6] = [
 /// The verdicts on the half of which the rule knows nothing.
 pub fn judged(dots: &[Dot]) -> Vec<Metric> {
     let reason = "what a bar is worth to whoever has no reference: nine numbers of ten lie in it";
-    let [all, _, others, _] = &groups(dots)[..] else { return Vec::new() };
+    let [all, _, others, ..] = &groups(dots)[..] else { return Vec::new() };
     let share = |found: &Option<Share>, of: fn(&Share) -> f64| found.as_ref().map(of);
     vec![
         Metric::at_least("inside the bar", share(&all.1, |s| s.inside), "%", 90.0).within(0.0, reason),
@@ -92,11 +93,12 @@ pub fn table(dots: &[Dot]) -> String {
     for dot in dots.iter().filter(|dot| dot.inside() == Some(false)) {
         let bar = dot.bar.unwrap_or(0.0);
         text.push_str(&format!(
-            "  outside: {}: {:.6e} ± {bar:.1e}, true error {:.1e} ({})\n",
+            "  outside: {}: {:.6e} ± {bar:.1e}, true error {:.1e} ({}{})\n",
             dot.name,
             dot.value,
             dot.error(),
-            dot.verdict.words()
+            dot.verdict.words(),
+            dot.theory.map_or(String::new(), |theory| format!("; the reference is {theory}"))
         ));
     }
     text
@@ -113,7 +115,11 @@ pub fn page(dots: &[Dot]) -> Result<Page, JudgeError> {
         let scale = dot.scale;
         Some(((dot.error() / scale).clamp(least, 1.0), (dot.bar? / scale).clamp(least, 1.0)))
     };
-    let of = |half: Half| dots.iter().filter(|dot| dot.half == half).filter_map(place).collect();
+    let of = |half: Half| {
+        let own = dots.iter().filter(|dot| dot.half == half && dot.theory.is_none());
+        own.filter_map(place).collect()
+    };
+    let others = dots.iter().filter(|dot| dot.theory.is_some()).filter_map(place).collect();
     let diagonal = vec![(least, least), (1.0, 1.0)];
     let chart = Chart {
         title: "Claimed against true error".into(),
@@ -122,6 +128,7 @@ pub fn page(dots: &[Dot]) -> Result<Page, JudgeError> {
         y: Axis::log("bar over reference").between(least, 1.0),
         series: vec![
             Series::line("", diagonal, GREY, Line::Dashed),
+            Series::marks("references of other theories", others, GREY, Mark::Circle),
             Series::marks("half on which the rule was chosen", of(Half::Chosen), ORANGE, Mark::Cross),
             Series::marks("half on which it is judged", of(Half::Judged), BLUE, Mark::Disc),
         ],
