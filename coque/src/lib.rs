@@ -39,7 +39,7 @@
 //! | the run, its figures, what it goes on from | `run/active_run.rs`, `run/record.rs`, `run/checkpoint/` |
 //! | in time, without time, linear, as modes, what it will cost | `analyses/`, one file each |
 //! | led event by event | [`Simulation`], `analyses/simulation.rs`; how far an analysis has come: `analyses/course.rs` |
-//! | which lattice reaches an accuracy | [`accuracy`] |
+//! | which lattice reaches an accuracy; the error of every number | [`accuracy`]; [`Checked::errors`] |
 //! | what is known to make a number wrong | `bodies/shell/warnings/`, `bodies/solid/warnings.rs`; the words: `warning.rs` |
 //! | what the folder of a run shows, for pages and pictures | `shown/`; [`page_of`], of one in memory [`RunPage`] |
 //! | the words of the command line | `commands/`; [`command_line`] |
@@ -145,6 +145,7 @@
 //! | a fluid: still water presses as it is deep, the energy of a dam break balances, threads change no bit | tests/fluid.rs |
 //! | a fluid with a shell or a solid in it goes on to the same bits | `a_fluid_and_what_is_in_it_go_on_to_the_same_bits` (tests/resume.rs) |
 //! | what is refused of fluids, walls and what is in them | tests/fluid_refusals.rs |
+//! | bars hold the true error, the run is not touched, what has no bar is said | tests/errors.rs |
 //! | results outlive terminal, disk and a second run in their folder | tests/kept.rs |
 //! | what no run can be made of costs nothing: pipes, devices, too little memory, nothing free | tests/inputs.rs |
 //! | loads on cells, parts and sections of files as closed forms have them; columns of strains are those of a beam | tests/parts.rs |
@@ -155,6 +156,7 @@ mod analyses;
 mod bodies;
 mod commands;
 mod fields;
+mod kept;
 pub mod mesh;
 mod plain;
 mod results;
@@ -163,7 +165,7 @@ pub mod scene;
 mod shown;
 mod warning;
 
-pub use analyses::{Estimate, Event, Kept, RunOptions, Simulation};
+pub use analyses::{Estimate, Event, RunOptions, Simulation};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
     Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
@@ -173,12 +175,15 @@ pub use bodies::{
 pub use commands::command_line;
 pub use explicit_dynamics::Exert;
 pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, SETS, Written};
+pub use kept::Kept;
 pub use mesh_io::{
     Array, At, Connectivity, FieldError, FieldWriter, Kind, ReadError, Rows, Sheet, Values, Whole, listed,
     read_text, rows, write_whole,
 };
 pub use plain::plain_text;
+pub use results::chart::{Costs, costs_svg};
 pub use results::curve::{Column, Curve, NotACurve};
+pub use results::error_bars::{ColumnErrors, CriticalError, ErrorBar, Errors, LatticeRun, Verdict};
 pub use results::growing::GrowingCurve;
 pub use results::picture::{
     FieldNotThere, Picture, PictureExtent, picture_extent, picture_svg, strip, together, usual_field,

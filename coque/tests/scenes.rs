@@ -70,11 +70,15 @@ fn said(scene: Checked) -> String {
         coupling,
         curve,
         output,
+        error,
         source: _,
         surfaces: _,
         arrays: _,
     } = scene.into_scene();
-    format!("{:?}", (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, output))
+    format!(
+        "{:?}",
+        (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, (output, error))
+    )
 }
 
 #[test]

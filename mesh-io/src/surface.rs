@@ -14,14 +14,14 @@ mod orient;
 mod outward;
 mod quality;
 mod raw;
+mod refine;
 mod refusal;
 mod report;
 mod sections;
 mod sides;
 mod undivided;
 
-use std::collections::BTreeMap;
-use std::fmt;
+use std::{collections::BTreeMap, fmt};
 
 use sph_core::{Cell, Cloud, Frame, Vec3, pair_triangles};
 

@@ -17,6 +17,7 @@
 //! | the HTML report | `report/*.rs` |
 //! | what is stored of a run for review, and the page of what changed | `review/*.rs` |
 //! | what each option costs | `cases/option_cost/*.rs` |
+//! | what an error bar claims, and the true error | `claimed/*.rs` |
 //!
 //! `main.rs` hands the cases to the judge, which names none of them.
 //!
@@ -109,6 +110,7 @@
 //! | cubic interpolation, orders, frontiers are what they say | `cubics_are_met_between_uneven_points_up_to_the_ends`, `the_order_of_a_power_is_its_exponent`, `the_frontier_holds_what_nothing_beats` (src/judge/measure.rs) |
 
 pub mod cases;
+pub mod claimed;
 pub mod judge;
 pub mod report;
 pub mod review;

@@ -8,7 +8,9 @@ use std::process::ExitCode;
 use clap::Parser;
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use validation::cases::{self, option_cost};
-use validation::{Case, Effort, JudgeError, Record, Selection, exit_code, judge, report, tables};
+use validation::{
+    Case, Effort, JudgeError, Metric, Record, Selection, claimed, exit_code, judge, report, tables,
+};
 
 /// Counts what is allocated, for the memory that each option costs.
 #[global_allocator]
@@ -33,6 +35,9 @@ struct Cli {
     /// The hard cases in place of the usual ones: where shells and particles break
     #[arg(long)]
     hard: bool,
+    /// Hold the error bars of `coque run --error` against the references in place of the numbers
+    #[arg(long, conflicts_with = "hard")]
+    errors: bool,
     /// Only this case; may be given several times
     #[arg(long = "case", value_name = "NAME")]
     cases: Vec<String>,
@@ -62,6 +67,7 @@ Examples:
   validate --heavy --case baffle       the runs that take more than ten minutes
   validate --case ring --case panel    the two cases of Lin et al. 2013
   validate --case option-cost          what each option of a scene costs
+  validate --errors                    claimed against true error: the bars of `coque run --error`
   validate --json records.json         for further analysis
   validate --pages --case panel        its shape to be turned and played: target/validation/shapes/panel.html
   validate --jobs 1                    wall times without a neighbour on the other core
@@ -109,6 +115,9 @@ fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
         jobs: cli.jobs.unwrap_or_else(cores),
         pages: cli.pages,
     };
+    if cli.errors {
+        return held(cli, &selection);
+    }
     let results = judge(cli.all(), &selection, &|line| eprintln!("{line}"))?;
     print!("{}", tables::table(&results));
     if let Some(result) = results.iter().find(|result| result.case.name == option_cost::NAME) {
@@ -133,6 +142,29 @@ fn carry_out(cli: &Cli) -> Result<u8, JudgeError> {
 fn write(file: &Path, text: &str) -> Result<(), JudgeError> {
     let made = file.parent().map_or(Ok(()), fs::create_dir_all);
     made.and_then(|()| fs::write(file, text)).map_err(|error| write_error(file, &error))
+}
+
+/// Runs the scenes on the lattices beside their own and holds claimed against true errors.
+fn held(cli: &Cli, selection: &Selection) -> Result<u8, JudgeError> {
+    let dots = claimed::claimed(cli.all(), selection, &|line| eprintln!("{line}"))?;
+    print!("{}", claimed::table(&dots));
+    let metrics = claimed::judged(&dots);
+    for Metric { name, value, unit, verdict, .. } in &metrics {
+        println!(
+            "  {name}: {} {unit}: {}",
+            value.map_or("none".into(), |value| format!("{value:.2}")),
+            verdict.word()
+        );
+    }
+    let page = claimed::page(&dots)?;
+    let file = cli.report.join(page.file);
+    write(&file, &page.html)?;
+    if let Some(file) = &cli.json {
+        let text = serde_json::to_string_pretty(&dots).map_err(|error| write_error(file, &error))?;
+        fs::write(file, text).map_err(|error| write_error(file, &error))?;
+    }
+    println!("report: {}", file.display());
+    Ok(u8::from(metrics.iter().any(|metric| !metric.pass)))
 }
 
 fn write_error(path: &Path, error: &impl ToString) -> JudgeError {

@@ -28,32 +28,40 @@ impl Convergence {
     /// Of the distances between the first and the second answer and between the second and the third, as shares of the
     /// answer; `turned` where the two steps go in opposite directions.
     pub fn of([h1, h2, h3]: [f64; 3], [first, second]: [f64; 2], turned: bool) -> Self {
-        let ratio = |p: f64| (libm::pow(h1, p) - libm::pow(h2, p)) / (libm::pow(h2, p) - libm::pow(h3, p));
-        let [slowest, fastest] = ORDERS;
-        if turned || first < ratio(slowest) * second {
+        let order = if turned { None } else { order([h1, h2, h3], [first, second]) };
+        let Some(order) = order else {
             return Self { error: SAFETY[1] * first.max(second), order: 1.0, regular: false };
-        }
-        let (mut low, mut high) = (slowest, fastest);
-        if first >= ratio(high) * second {
-            low = high;
-        }
-        // The ratio grows with the order; sixty halvings leave nothing of the bracket.
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if ratio(middle) * second <= first {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        let share = 1.0 / (libm::pow(h2 / h3, low) - 1.0);
-        Self { error: SAFETY[0] * share * second, order: low, regular: true }
+        };
+        let share = 1.0 / (libm::pow(h2 / h3, order) - 1.0);
+        Self { error: SAFETY[0] * share * second, order, regular: true }
     }
 
     /// The spacing at which the error is so large, over the finest of the three.
     pub fn spacing_for(&self, error: f64) -> f64 {
         libm::pow(error / self.error, 1.0 / self.order)
     }
+}
+
+/// The order with which two differences in a row fall, of answers on spacings h₁ > h₂ > h₃: two at most, none below one half.
+pub(super) fn order([h1, h2, h3]: [f64; 3], [first, second]: [f64; 2]) -> Option<f64> {
+    let ratio = |p: f64| (libm::pow(h1, p) - libm::pow(h2, p)) / (libm::pow(h2, p) - libm::pow(h3, p));
+    let [mut low, mut high] = ORDERS;
+    if first < ratio(low) * second {
+        return None;
+    }
+    if first >= ratio(high) * second {
+        low = high;
+    }
+    // The ratio grows with the order; sixty halvings leave nothing of the bracket.
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if ratio(middle) * second <= first {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Some(low)
 }
 
 #[cfg(test)]

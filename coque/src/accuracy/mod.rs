@@ -5,16 +5,29 @@
 //! the differences of its own answers give order and error (`convergence.rs`). Where the accuracy lies beyond what was run,
 //! the order tells the lattice, the growth of the run times the time. What converges is the answer of the model: what a
 //! shell leaves out of a solid does not show.
+//!
+//! The error of every number of a run is found the same way, from two lattices beside its own (`errors.rs`): coarser ones where every set that
+//! the scene names stays on particles (`kept.rs`, `companions.rs`), rows paired by level, time, path or shape (`pairing.rs`), each number with
+//! its bar (`bars.rs`).
 
 mod answers;
+mod bars;
+mod companions;
 mod convergence;
+mod errors;
+mod kept;
 mod ladder;
+mod meshes;
 mod methods;
+mod pairing;
 mod refined;
+mod said;
 
 use std::ops::ControlFlow;
 use std::time::Duration;
 
+pub use bars::{OnLattice, bar};
+pub use companions::Companions;
 pub use convergence::Convergence;
 pub use ladder::{ClimbError, Ladder, Rung};
 pub use refined::Refined;

@@ -2,7 +2,7 @@
 
 use crate::scene::bounded::Positive;
 use crate::scene::error::SceneError;
-use crate::scene::{BodyScene, Checked, Geometry, PerAxis, Scene, SolidGeometry};
+use crate::scene::{BodyScene, Checked, FluidGeometry, Geometry, PerAxis, Scene, SolidGeometry};
 
 /// Fewest cells along the direction that has most, and along the one that has fewest, of a coarse lattice.
 const LEAST: [f64; 2] = [8.0, 2.0];
@@ -18,6 +18,35 @@ pub struct Refined {
     pub spacing: f64,
     /// The lattice in words, such as `21×21`.
     pub lattice: String,
+}
+
+impl Refined {
+    /// What makes the scene as it was given this one, as paths and values (`--set`); none of a mesh and of several bodies.
+    pub fn overrides(&self) -> Option<Vec<(String, String)>> {
+        let scene = self.scene.first_body().ok().filter(|_| self.scene.bodies.len() == 1)?;
+        let (key, value) = match scene.body {
+            BodyScene::Shell(shell) => {
+                let (word, placing) = (shell.geometry.word(), shell.geometry.placing());
+                match (placing.particles, placing.scattered) {
+                    (_, Some(scattered)) => {
+                        (format!("{word}.scattered.spacing"), format!("{:?}", scattered.spacing.get()))
+                    }
+                    (Some(particles), None) => (format!("{word}.particles"), format!("{particles:?}")),
+                    (None, None) => return None,
+                }
+            }
+            BodyScene::Solid(solid) => match (&solid.geometry.block, &solid.geometry.arc) {
+                (Some(block), _) => {
+                    let axes = 0..block.lengths.len();
+                    let spacing: Vec<f64> = axes.map(|axis| block.spacing.along(axis)).collect();
+                    ("block.spacing".into(), format!("{spacing:?}"))
+                }
+                (None, arc) => ("arc.cells".into(), format!("{:?}", arc.as_ref()?.cells)),
+            },
+            BodyScene::Fluid(_) | BodyScene::Walls(_) => return None,
+        };
+        Some(vec![(scene.body_scope().path(&format!("geometry.{key}")), value)])
+    }
 }
 
 impl Checked {
@@ -38,13 +67,15 @@ impl Checked {
         if scene.bodies.len() > 1 {
             return refused("bodies", "several bodies");
         }
-        let refined = match scene.bodies.values_mut().next() {
-            Some(BodyScene::Shell(shell)) => refine_shell(&mut shell.geometry, fineness),
-            Some(BodyScene::Solid(solid)) => Some(refine_solid(&mut solid.geometry, fineness)),
-            _ => return refused("bodies", "a fluid"),
+        let body = scene.bodies.values_mut().next();
+        let Some(body) = body.filter(|body| !matches!(body, BodyScene::Fluid(_) | BodyScene::Walls(_)))
+        else {
+            return refused("bodies", "a fluid");
         };
-        match refined {
-            Some((spacing, lattice)) => Ok(Refined { scene: scene.check()?, spacing, lattice }),
+        match refine(body, fineness, &|_, cells| step(cells)) {
+            Some(Change { spacings, along, lattice }) => {
+                Ok(Refined { scene: scene.check()?, spacing: spacings[along], lattice })
+            }
             None => Err(SceneError::Choice(self.first_body()?.body_scope().fault(
                 "geometry.mesh",
                 "a surface from a file",
@@ -83,8 +114,8 @@ pub(super) fn finer(scene: &Scene, fineness: f64) -> f64 {
     step * next / fewest
 }
 
-/// Cells along each direction; none of scattered particles.
-fn cells(scene: &Scene) -> Vec<f64> {
+/// Cells along each direction of the one body, of several the first by name; none of scattered particles.
+pub(super) fn cells(scene: &Scene) -> Vec<f64> {
     match scene.bodies.values().next() {
         Some(BodyScene::Shell(shell)) => {
             let particles = shell.geometry.particles();
@@ -115,36 +146,66 @@ fn cells_of(geometry: &SolidGeometry) -> Vec<f64> {
 }
 
 /// What numbers of cells grow by: two, where they are even and stay so.
-fn step(cells: usize) -> usize {
+pub(super) fn step(cells: usize) -> usize {
     if cells.is_multiple_of(2) { 2 } else { 1 }
 }
 
-/// So many cells for `cells`; even for even, at least one, for even at least two.
-fn whole(cells: usize, fineness: f64) -> usize {
-    let step = step(cells);
+/// So many cells for `cells`, a multiple of a step and at least one.
+fn whole(cells: usize, fineness: f64, step: usize) -> usize {
     let wanted = cells as f64 * fineness / step as f64;
     step * (wanted.round() as usize).max(1)
 }
 
-/// Changes the lattice; tells the spacing over the former one, along the direction of most cells, and what it is in words.
-fn refine_shell(geometry: &mut Geometry, fineness: f64) -> Option<(f64, String)> {
+/// What became of the lattice of a body.
+pub(super) struct Change {
+    /// Spacing over the former one along each direction \[–\].
+    pub spacings: Vec<f64>,
+    /// The direction that had most cells.
+    pub along: usize,
+    /// The lattice in words.
+    pub lattice: String,
+}
+
+/// What numbers of cells along a direction that has so many are multiples of.
+pub(super) type Steps<'a> = &'a dyn Fn(usize, usize) -> usize;
+
+/// Changes the lattice of a body; none of a surface from a file, which has none. Walls stand as they are.
+pub(super) fn refine(body: &mut BodyScene, fineness: f64, steps: Steps<'_>) -> Option<Change> {
+    match body {
+        BodyScene::Shell(shell) => refine_shell(&mut shell.geometry, fineness, steps),
+        BodyScene::Solid(solid) => Some(refine_solid(&mut solid.geometry, fineness, steps)),
+        BodyScene::Fluid(fluid) => refine_fluid(&mut fluid.geometry, fineness),
+        BodyScene::Walls(_) => Some(Change { spacings: Vec::new(), along: 0, lattice: String::new() }),
+    }
+}
+
+/// From so many cells along each direction to others.
+fn change(before: &[usize], after: &[usize], lattice: String) -> Change {
+    let spacings = before.iter().zip(after).map(|(&before, &after)| before as f64 / after as f64).collect();
+    // Of equal ones the first.
+    let along = (0..before.len()).rev().max_by_key(|&axis| before[axis]).unwrap_or(0);
+    Change { spacings, along, lattice }
+}
+
+fn refine_shell(geometry: &mut Geometry, fineness: f64, steps: Steps<'_>) -> Option<Change> {
     let (particles, scattered) = geometry.placing_mut()?;
     if let Some(scattered) = scattered {
         scattered.spacing = Positive::new(scattered.spacing.get() / fineness).ok()?;
-        return Some((1.0 / fineness, format!("scattered at {:.4}", scattered.spacing)));
+        let lattice = format!("scattered at {:.4}", scattered.spacing);
+        return Some(Change { spacings: vec![1.0 / fineness], along: 0, lattice });
     }
     let particles = particles.as_mut()?;
     let before = particles.map(|n| n - 1);
-    let after = before.map(|cells| whole(cells, fineness));
+    let after = [0, 1].map(|axis| whole(before[axis], fineness, steps(axis, before[axis])));
     *particles = after.map(|cells| cells + 1);
-    let along = if before[0] >= before[1] { 0 } else { 1 };
     let [n1, n2] = *particles;
-    Some((before[along] as f64 / after[along] as f64, format!("{n1}×{n2}")))
+    Some(change(&before, &after, format!("{n1}×{n2}")))
 }
 
-fn refine_solid(geometry: &mut SolidGeometry, fineness: f64) -> (f64, String) {
+fn refine_solid(geometry: &mut SolidGeometry, fineness: f64, steps: Steps<'_>) -> Change {
     let before: Vec<usize> = cells_of(geometry).into_iter().map(|cells| cells as usize).collect();
-    let after: Vec<usize> = before.iter().map(|&cells| whole(cells, fineness)).collect();
+    let after: Vec<usize> =
+        (0..before.len()).map(|axis| whole(before[axis], fineness, steps(axis, before[axis]))).collect();
     if let Some(arc) = &mut geometry.arc {
         arc.cells.copy_from_slice(&after);
     }
@@ -152,7 +213,13 @@ fn refine_solid(geometry: &mut SolidGeometry, fineness: f64) -> (f64, String) {
         let spacing = block.lengths.iter().zip(&after).map(|(length, &cells)| length.get() / cells as f64);
         block.spacing = PerAxis::Each(spacing.collect());
     }
-    let most = (0..before.len()).max_by_key(|&axis| before[axis]).unwrap_or(0);
     let cells: Vec<String> = after.iter().map(ToString::to_string).collect();
-    (before[most] as f64 / after[most] as f64, format!("{} cells", cells.join("×")))
+    change(&before, &after, format!("{} cells", cells.join("×")))
+}
+
+fn refine_fluid(geometry: &mut FluidGeometry, fineness: f64) -> Option<Change> {
+    let spacing = geometry.spacing_mut();
+    *spacing = Positive::new(spacing.get() / fineness).ok()?;
+    let lattice = format!("fluid at {:.4}", spacing);
+    Some(Change { spacings: vec![1.0 / fineness], along: 0, lattice })
 }

@@ -5,7 +5,6 @@ mod breaking;
 mod course;
 mod criticality;
 mod estimate;
-mod kept;
 mod linear;
 mod march;
 mod modes;
@@ -17,7 +16,6 @@ mod simulation;
 mod stability;
 
 pub use estimate::Estimate;
-pub use kept::Kept;
 pub use simulation::{Event, Simulation};
 
 use crate::bodies::{Description, Model, Resultant, TangentCost};
@@ -109,6 +107,7 @@ impl Model {
             threads,
             particle_steps_per_second: description.particles as f64 * marched as f64 / record.wall_seconds,
             ended: ended.to_string(),
+            errors: None,
             body: description,
             record,
         }

@@ -17,6 +17,13 @@ impl Checked {
     /// [`SceneError`] for empty sets, supports that leave a rigid motion free in a quasi-static run, and
     /// whatever the layers below refuse.
     pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
+        let mut model = self.body_model(threads)?;
+        model.barred = self.error.map(|_| Box::new(self.clone()));
+        Ok(model)
+    }
+
+    /// The body of its kind.
+    fn body_model(&self, threads: usize) -> Result<Model, SceneError> {
         let bodies = self.bodies_in_scene()?;
         for of_fluid in &bodies {
             if let BodyScene::Fluid(fluid) = of_fluid.body {

@@ -46,6 +46,20 @@ impl BuiltBody<Ready> {
         let (task, threads) = (Task::of(scene), threads.max(1));
         let shown = task.output.fields.is_some();
         let sets = if shown { [(description.kind.to_string(), sets)].into() } else { BTreeMap::new() };
-        Model { task, body, description, memory, identity, probes, driven, threads, warnings, judge, sets }
+        let barred = None;
+        Model {
+            task,
+            body,
+            description,
+            memory,
+            identity,
+            probes,
+            driven,
+            threads,
+            warnings,
+            judge,
+            sets,
+            barred,
+        }
     }
 }

@@ -12,7 +12,7 @@ use super::probe::Probe;
 use crate::Warning;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Analysis, Output, Scene};
+use crate::scene::{Analysis, Checked, Output, Scene};
 
 /// What is asked of a body, whatever it is made of.
 #[derive(Clone, Debug)]
@@ -56,6 +56,8 @@ pub struct Model {
     pub(crate) threads: usize,
     pub(crate) warnings: Vec<Warning>,
     pub(crate) judge: Option<ShapeJudge>,
+    /// Its scene, where the errors of its numbers are asked for.
+    pub(crate) barred: Option<Box<Checked>>,
 }
 
 /// Why no function can exert forces on a body.
@@ -100,6 +102,7 @@ impl Model {
             threads: 1,
             warnings: Vec::new(),
             judge: None,
+            barred: None,
             sets: BTreeMap::new(),
         }
     }
@@ -125,6 +128,12 @@ impl Model {
         self.description.left_out.retain(|line| line != "loads");
         self.description.modelled.push("forces that a function of the caller exerts".into());
         Ok(())
+    }
+
+    /// Names of the columns that its scene measures.
+    pub fn measured(&self) -> Vec<String> {
+        let own = self.probes.iter().flat_map(|probe| probe.columns(&self.task.units));
+        own.map(|column| column.name).collect()
     }
 
     /// The columns of the analysis with their units, and those of the probes.

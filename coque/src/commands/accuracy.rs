@@ -1,10 +1,11 @@
 //! `coque check --accuracy`: the lattice, method and analysis that an accuracy takes, as a table.
 
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::time::Duration;
 
-use crate::Checked;
 use crate::accuracy::{Asked, ClimbError, Forecast, Ladder, Needed};
+use crate::{Checked, Costs, costs_svg};
 
 use super::bar::clock;
 use super::stderr::{Refused, print, say};
@@ -30,7 +31,13 @@ pub fn seconds(text: &str) -> Result<f64, String> {
 }
 
 /// Runs the lattices and prints what they tell.
-pub fn carry_out(scene: &Checked, accuracy: f64, within: f64, threads: usize) -> Result<(), Refused> {
+pub fn carry_out(
+    scene: &Checked,
+    accuracy: f64,
+    within: f64,
+    threads: usize,
+    chart: Option<&Path>,
+) -> Result<(), Refused> {
     let asked = Asked { accuracy, within: Duration::from_secs_f64(within), lattices: LATTICES, threads };
     let reported = scene.forecast(&asked, &mut |method, rung| {
         say(&format!("{method}: {} in {}", rung.lattice, time(rung.seconds)));
@@ -54,7 +61,18 @@ pub fn carry_out(scene: &Checked, accuracy: f64, within: f64, threads: usize) ->
     for forecast in &forecasts {
         text.push_str(&basis(forecast));
     }
-    print(&text)
+    print(&text)?;
+    let Some(file) = chart else { return Ok(()) };
+    let costs: Vec<Costs> = forecasts
+        .iter()
+        .map(|Forecast { method, ladder, .. }| {
+            let runs = ladder.rungs.iter().filter_map(|rung| Some([rung.seconds, rung.error?]));
+            Costs { method: method.clone(), runs: runs.collect() }
+        })
+        .collect();
+    costs_svg(&costs, &scene.title, file).map_err(|error| format!("{error}\n"))?;
+    say(&format!("errors over times: {}", file.display()));
+    Ok(())
 }
 
 fn row(method: &str, needed: &Needed) -> String {
@@ -103,13 +121,13 @@ fn basis(forecast: &Forecast) -> String {
 }
 
 /// A share in percent, to two digits.
-fn percent(share: f64) -> String {
+pub fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     let digits = if percent > 0.0 { (1 - libm::log10(percent).floor() as i32).max(0) as usize } else { 0 };
     format!("{percent:.digits$} %")
 }
 
 /// A time: tenths of a second while they tell something.
-fn time(seconds: f64) -> String {
+pub fn time(seconds: f64) -> String {
     if seconds < 10.0 { format!("{seconds:.2} s") } else { clock(seconds) }
 }

@@ -61,6 +61,11 @@ impl Progress for Bar {
         if self.stop.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
+    fn companion(&mut self, number: usize, of: usize, lattice: &str) {
+        self.bar.suspend(|| say(&format!("for the errors: {number} of {of}, {lattice}")));
+        (self.begun, self.first) = (Instant::now(), None);
+    }
+
     fn recorded(&mut self, curve: &Curve) {
         if let Err(error) = self.curve.take(curve)
             && !self.reported

@@ -26,6 +26,9 @@ pub struct Check {
     /// Time for those runs of each method, in seconds.
     #[arg(long, value_name = "SECONDS", default_value_t = 30.0, value_parser = accuracy::seconds, requires = "accuracy")]
     within: f64,
+    /// Draw the errors of those runs over their times into this file, SVG.
+    #[arg(long, value_name = "FILE", requires = "accuracy")]
+    chart: Option<PathBuf>,
 }
 
 pub const HELP: &str = "\
@@ -41,6 +44,7 @@ Examples:
   coque check scenes/panel.toml --set 'geometry.cylinder.particles=[101, 101]' --threads 2
   coque check scenes/scordelis-lo.toml --accuracy 0.5%
   coque check scenes/panel.toml --accuracy 1% --within 60
+  coque check scenes/ring.toml --accuracy 0.5% --chart ring.svg       error against time of each method
 
 Exit codes: 0 sound, 2 refused.";
 
@@ -61,7 +65,9 @@ pub fn carry_out(check: &Check) -> Result<(), Refused> {
     text.push_str(&format!("  {:<24} about {:.0} MB{free}\n", "memory of a run", 1e-6 * memory.needed));
     print(&text)?;
     match check.accuracy {
-        Some(wanted) => accuracy::carry_out(&scene, wanted, check.within, check.threads.into()),
+        Some(wanted) => {
+            accuracy::carry_out(&scene, wanted, check.within, check.threads.into(), check.chart.as_deref())
+        }
         None => Ok(()),
     }
 }

@@ -4,9 +4,11 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod accuracy;
+mod accurate;
 mod ask;
 mod bar;
 mod check;
+mod errors;
 mod examples;
 mod mesh;
 mod plot;
@@ -93,6 +95,7 @@ Start here:
   coque plot out/gate               its last frame as a picture for a paper
   coque check ring.toml             what it models, what it leaves out, what a run will cost
   coque check ring.toml --accuracy 0.5%     which lattice and analysis that takes
+  coque run ring.toml --error       every number with its error, from runs on coarser lattices
   coque list                        what a scene may name
   coque run --help                  options, examples, where results are
   coque mesh panel.msh              what a mesh holds, and what is wrong with it

@@ -54,7 +54,7 @@ pub fn carry_out(resume: &Resume, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let model = build(&scene, origin.threads)?;
     let taken = taken.map_or_else(|| take(folder), Ok)?;
     stop.begin();
-    launch(model, &taken, origin, Some(checkpoint), stop)
+    launch(model, &taken, origin, Some(checkpoint), stop).map(|(code, _)| code)
 }
 
 /// How the run in a folder ended, if it did.

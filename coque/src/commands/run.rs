@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use clap::Args;
 
+use super::accurate::{Wanted, forecast, refine};
 use super::bar::Bar;
+use super::errors;
 use super::stderr::{Refused, say};
 use super::stop::Stop;
 use super::view::Follower;
@@ -27,6 +29,13 @@ pub struct Run {
     /// Replace a value of the scene; may be given several times.
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = replacement)]
     replaced: Vec<(String, String)>,
+    /// Give every number its error: the run is followed by runs on coarser lattices, which take about half as long, or finer ones.
+    #[arg(long)]
+    error: bool,
+    /// Run on the lattice that brings every measured number within this share of the greatest of its column, such as 0.5%: it is forecast from
+    /// coarse lattices, its price is said, and it is refined once more if the bars are wider.
+    #[arg(long, value_name = "SHARE", value_parser = super::accuracy::share)]
+    accuracy: Option<f64>,
     /// Show the run in the browser, on the way and at its end; a scene without [output.fields] gets them, with stresses.
     #[arg(long)]
     view: bool,
@@ -35,7 +44,7 @@ pub struct Run {
 impl Run {
     /// A run with nothing replaced, shown in the browser.
     pub fn shown(scene: PathBuf) -> Self {
-        Self { scene, out: None, threads: 1, replaced: Vec::new(), view: true }
+        Self { scene, out: None, threads: 1, replaced: Vec::new(), error: false, accuracy: None, view: true }
     }
 }
 
@@ -50,10 +59,12 @@ Examples:
   coque run scenes/plate.toml --set analysis.modal.modes=6           frequencies
   coque run scenes/panel.toml --set 'output.fields={ stresses = true }'     then open out/panel/fields/shell.pvd
   coque run scenes/ring.toml --set output.checkpoint_every=60        then `coque resume out/ring` if it was stopped
+  coque run scenes/ring.toml --set analysis.static.levels=8 --error  each number with its error
+  coque run scenes/scordelis-lo.toml --accuracy 0.5%                 on the lattice that takes, price first
   coque run scenes/panel.toml --set 'analysis.arc-length.stop={ column = \"w_crown\", above = 30 }'
 
 Results, in DIR:
-  curve.csv      one row per load level or record; the first row names columns with units
+  curve.csv      one row per load level or record; the first row names columns with units; with --error or [error] a column `NAME ±` beside each
   curve.svg      the plot that [output] asks for
   fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; of a solid solid.pvd; written on the way;
                  sets.json has particles by the name of their set
@@ -88,21 +99,56 @@ pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
         replaced.push(("output.fields".into(), "{ stresses = true }".into()));
         (scene, _) = read_scene(&run.scene, &replaced)?;
     }
-    let model = build(&scene, run.threads.into())?;
+    if (run.error || run.accuracy.is_some()) && scene.error.is_none() {
+        replaced.push(("error".into(), "{}".into()));
+        (scene, _) = read_scene(&run.scene, &replaced)?;
+    }
     let out = run.out.clone().unwrap_or_else(|| default_out(&run.scene));
+    let Some(accuracy) = run.accuracy else {
+        let model = build(&scene, run.threads.into())?;
+        let folder = take(&out)?;
+        stop.begin();
+        return begin(run, model, &folder, text, replaced, stop).map(|(code, _)| code);
+    };
+    let mut wanted = forecast(&scene, accuracy, run.threads.into())?;
     let folder = take(&out)?;
     stop.begin();
+    loop {
+        let Wanted { lattice, again } = wanted;
+        let mut replaced = replaced.clone();
+        replaced.extend(lattice);
+        let (scene, text) = read_scene(&run.scene, &replaced)?;
+        let model = build(&scene, run.threads.into())?;
+        let measured = model.measured();
+        let (code, outcome) = begin(run, model, &folder, text, replaced, stop)?;
+        let next = again.then(|| refine(&scene, &outcome, &measured, accuracy)).flatten();
+        match next.filter(|_| code == DONE && !stop.asked()) {
+            Some(next) => wanted = next,
+            None => return Ok(code),
+        }
+    }
+}
+
+/// Runs a model that was built of a scene with values replaced, into its folder.
+fn begin(
+    run: &Run,
+    model: Model,
+    folder: &ResultFolder,
+    text: String,
+    replaced: Vec<(String, String)>,
+    stop: &Arc<Stop>,
+) -> Result<(u8, Outcome), Refused> {
     let text = folder.begin(&run.scene, text, &replaced)?;
     // Another folder may be the present one when the run goes on.
     let file = std::path::absolute(&run.scene).unwrap_or_else(|_| run.scene.clone());
     let file = file.display().to_string();
     let origin = Origin::new(&text, file, replaced, run.threads.into());
-    let follower = run.view.then(|| Follower::begin(&out));
-    let code = launch(model, &folder, origin, None, stop);
+    let follower = run.view.then(|| Follower::begin(folder.path()));
+    let ended = launch(model, folder, origin, None, stop);
     let shown = follower.map_or(Ok(()), Follower::end);
-    let code = code?;
+    let ended = ended?;
     shown?;
-    Ok(code)
+    Ok(ended)
 }
 
 /// Reads a scene, and its text; errors underline it.
@@ -122,14 +168,14 @@ pub fn build(scene: &Checked, threads: usize) -> Result<Model, Refused> {
     Ok(model)
 }
 
-/// Runs from the start or from a checkpoint, writes the results, and gives the exit code.
+/// Runs from the start or from a checkpoint, writes the results, and gives the exit code with what was found.
 pub fn launch(
     model: Model,
     folder: &ResultFolder,
     origin: Origin,
     from: Option<Checkpoint>,
     stop: &Arc<Stop>,
-) -> Result<u8, Refused> {
+) -> Result<(u8, Outcome), Refused> {
     let out = folder.path();
     let described = model.describe();
     say(&format!(
@@ -137,14 +183,16 @@ pub fn launch(
         model.task.title, described.particles, described.dof
     ));
     let early = model.warnings().to_vec();
+    let measured = model.measured();
     early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let curve = GrowingCurve::new(&out.join(ResultFolder::CURVE));
     let mut bar = Bar::new(described.particles, stop.clone(), curve);
     let kept = model.run_into(folder, origin, from, &mut bar, None)?;
     bar.finish();
     let code = report(&kept.outcome, &early, out, kept.resumable);
+    errors::report(&kept.outcome, &measured);
     kept.written?;
-    Ok(code)
+    Ok((code, kept.outcome))
 }
 
 /// Takes the folder of a run for this program.

@@ -88,6 +88,12 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let runs = combinations(&sweep.over)?;
     let stem = sweep.scene.file_stem().unwrap_or("scene".as_ref()).to_string_lossy();
     let out = sweep.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{stem}-sweep")));
+    let scene = Scene::with_overrides(&text, &file, &sweep.replaced);
+    if scene.is_ok_and(|scene| scene.error.is_some()) {
+        say(
+            "warning: a sweep finds no errors, and [error] is left out; run what counts by `coque run --error`",
+        );
+    }
     let folder = take(&out)?;
     stop.begin();
     folder.clear()?;

@@ -1,4 +1,4 @@
-//! The curve as a picture: one line, with its points where they are few, SVG.
+//! The curve as a picture: one line, with its points where they are few, in a band of its errors where they stand beside it, SVG.
 
 use std::io::Write;
 use std::path::Path;
@@ -9,6 +9,7 @@ use mesh_io::write_whole;
 
 use crate::plain::plain_text;
 use crate::results::curve::Curve;
+use crate::results::error_bars::bar_of;
 
 /// Width in pixels.
 const WIDTH: u32 = 720;
@@ -49,18 +50,22 @@ pub fn plot_svg(curve: &Curve, x: &str, y: &str, title: &str, file: &Path) -> Re
     };
     let points: Vec<(f64, f64)> =
         values(x)?.into_iter().zip(values(y)?).filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+    let bars = curve.column(&bar_of(y)).unwrap_or_default();
+    let band = values(x)?.into_iter().zip(values(y)?).zip(bars).map(|((x, y), bar)| (x, [y - bar, y + bar]));
+    let band: Vec<(f64, [f64; 2])> = band.filter(|(x, ends)| x.is_finite() && ends[0].is_finite()).collect();
     let label = |name: &str| {
         let column = curve.columns.iter().find(|column| column.name == name);
         column.map_or_else(|| name.to_string(), |column| column.title())
     };
     let refused = |reason: String| PlotError::Drawing { path: file.display().to_string(), reason };
-    let svg =
-        draw(&points, [&label(x), &label(y)], &plain_text(title)).map_err(|e| refused(e.to_string()))?;
+    let svg = draw(&points, &band, [&label(x), &label(y)], &plain_text(title))
+        .map_err(|e| refused(e.to_string()))?;
     write_whole(file, |to| to.write_all(svg.as_bytes())).map_err(|e| refused(e.to_string()))
 }
 
 fn draw(
     points: &[(f64, f64)],
+    band: &[(f64, [f64; 2])],
     [x_label, y_label]: [&str; 2],
     title: &str,
 ) -> Result<String, Box<dyn std::error::Error>> {
@@ -74,7 +79,10 @@ fn draw(
         .margin(12)
         .x_label_area_size(44)
         .y_label_area_size(70)
-        .build_cartesian_2d(range(points.iter().map(|p| p.0)), range(points.iter().map(|p| p.1)))?;
+        .build_cartesian_2d(
+            range(points.iter().map(|p| p.0)),
+            range(points.iter().map(|p| p.1).chain(band.iter().flat_map(|(_, ends)| *ends))),
+        )?;
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)
@@ -84,6 +92,12 @@ fn draw(
         .y_label_formatter(&|y| short(*y))
         .label_style(("sans-serif", 16))
         .draw()?;
+    let around = band.iter().map(|&(x, [_, top])| (x, top));
+    let around: Vec<(f64, f64)> =
+        around.chain(band.iter().rev().map(|&(x, [bottom, _])| (x, bottom))).collect();
+    if band.len() > 1 {
+        chart.draw_series([Polygon::new(around, BLUE.mix(0.18))])?;
+    }
     chart.draw_series(LineSeries::new(points.iter().copied(), BLUE.stroke_width(2)))?;
     if points.len() <= MOST_POINTS {
         chart.draw_series(points.iter().map(|&p| Circle::new(p, 3, BLUE.filled())))?;

@@ -1,5 +1,6 @@
 //! The folder of a run: one run at a time, nothing left of an earlier one, nothing written outside it.
 
+use std::borrow::Cow;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -140,7 +141,10 @@ impl ResultFolder {
                 refused.push_str(&format!("cannot write {}: {error}\n", self.path.join(name).display()));
             }
         };
-        note(CURVE, write_whole(&self.path.join(CURVE), |to| outcome.curve.write_csv(to)));
+        let errors = outcome.summary.errors.as_ref();
+        let curve =
+            errors.map_or(Cow::Borrowed(&outcome.curve), |errors| Cow::Owned(errors.beside(&outcome.curve)));
+        note(CURVE, write_whole(&self.path.join(CURVE), |to| curve.write_csv(to)));
         let summary = serde_json::to_vec_pretty(&outcome.summary).map_err(io::Error::from);
         note(
             SUMMARY,
@@ -148,7 +152,7 @@ impl ResultFolder {
         );
         // A plot of what probes measure has no place among modes.
         if let Some(plot) = task.output.plot.as_ref().filter(|_| !task.analysis.kind().gives_modes) {
-            let drawn = plot_svg(&outcome.curve, &plot.x, &plot.y, &task.title, &self.path.join(PICTURE));
+            let drawn = plot_svg(&curve, &plot.x, &plot.y, &task.title, &self.path.join(PICTURE));
             if let Err(error) = drawn {
                 refused.push_str(&format!("{error}\n"));
             }

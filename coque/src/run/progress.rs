@@ -29,6 +29,9 @@ pub trait Progress: Send {
     /// Receives the curve as a run begins, and again whenever it has grown.
     fn recorded(&mut self, _curve: &Curve) {}
 
+    /// Receives that a run on another lattice begins, for the errors of the run that is over: its number, how many there are, the lattice in words.
+    fn companion(&mut self, _number: usize, _of: usize, _lattice: &str) {}
+
     /// Receives what the run cannot do but goes on without.
     fn warn(&mut self, _message: &str) {}
 }

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::record::RunRecord;
 use crate::bodies::{Description, Resultant};
+use crate::results::error_bars::Errors;
 
 /// What a run was, what it found and what it cost.
 #[derive(Clone, Debug, Serialize)]
@@ -29,4 +30,7 @@ pub struct Summary {
     pub particle_steps_per_second: f64,
     /// "done", or why the run ended early.
     pub ended: String,
+    /// The errors of its numbers, where they were asked for.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub errors: Option<Errors>,
 }

@@ -1,4 +1,4 @@
-//! Further results: a plot, frames of fields, checkpoints.
+//! Further results: a plot, frames of fields, checkpoints, errors.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -34,6 +34,12 @@ pub struct Fields {
     #[serde(default)]
     pub stresses: bool,
 }
+
+/// The error of every number, from runs on coarser lattices, finer where there are none: in `curve.csv` beside each column, as a band in the plot,
+/// in `summary.json`.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ErrorBars {}
 
 /// Which column is drawn over which.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -13,7 +13,7 @@ use super::coupling::Coupling;
 use super::curve::{Measured, Probe};
 use super::fluid::FluidScene;
 use super::loads::Load;
-use super::output::Output;
+use super::output::{ErrorBars, Output};
 use super::scope::Scope;
 use super::sets::Region;
 use super::shell::ShellScene;
@@ -56,6 +56,8 @@ pub struct Scene {
     /// Further results.
     #[serde(default)]
     pub output: Output,
+    /// Whether every number has its error beside it: a run into a folder is followed by runs on other lattices. Sweeps leave it out.
+    pub error: Option<ErrorBars>,
     /// Surfaces in memory, by the names under which `geometry.mesh.file` calls them; other names are files.
     #[serde(skip)]
     pub surfaces: BTreeMap<String, Arc<Arrays>>,

@@ -243,7 +243,7 @@ impl Support {
     }
 
     /// Names of the sets on which it acts.
-    pub(super) fn sets_mut(&mut self) -> impl Iterator<Item = &mut String> {
+    pub(crate) fn sets_mut(&mut self) -> impl Iterator<Item = &mut String> {
         let other = self.spring.as_mut().and_then(|spring| spring.to.as_mut());
         std::iter::once(&mut self.on).chain(other)
     }

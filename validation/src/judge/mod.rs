@@ -23,4 +23,5 @@ pub use peers::{Peer, Peers};
 pub use pictured::Pictured;
 pub use record::{Record, Table};
 pub use run::{CaseResult, Selection, exit_code, judge};
+pub(crate) use run::{choose, metrics};
 pub use variant::{Effort, LOST, MET, Problem, Run, Runs, Study, Variant};

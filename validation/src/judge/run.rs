@@ -8,6 +8,7 @@ use coque::{Model, Rendering, RunOptions, Scene, Silent, TangentCost, render};
 
 use super::asked::{asked, rest, silent};
 use super::case::Case;
+use super::metric::Metric;
 use super::outcome::Outcome;
 use super::pictured::{KeptFrames, Pictured, chosen, planes};
 use super::record::Record;
@@ -88,7 +89,7 @@ pub fn exit_code(results: &[CaseResult]) -> u8 {
 }
 
 /// The chosen cases, each with the variants that were not chosen.
-fn choose(all: Vec<Case>, selection: &Selection) -> Result<Vec<(Case, Vec<Variant>)>, JudgeError> {
+pub(crate) fn choose(all: Vec<Case>, selection: &Selection) -> Result<Vec<(Case, Vec<Variant>)>, JudgeError> {
     for name in &selection.names {
         if !all.iter().any(|case| case.name == name) {
             let known = all.iter().map(|case| case.name).collect::<Vec<_>>().join(", ");
@@ -250,12 +251,7 @@ fn rough_cost(work: &Work) -> f64 {
 fn records(case: &Case, runs: &Runs) -> Result<Vec<Record>, JudgeError> {
     let mut records = Vec::new();
     for run in runs.iter() {
-        let mut metrics = (case.each)(run)?;
-        metrics.extend(rest(run));
-        metrics.extend(asked(run, runs)?);
-        if let Some(judged) = &run.variant.judged {
-            metrics.extend(judged(run, runs)?);
-        }
+        let metrics = metrics(case, run, runs)?;
         records.push(Record::new(case, &run.variant, &run.outcome, metrics));
     }
     for (number, metric) in (case.together)(runs)? {
@@ -268,10 +264,23 @@ fn records(case: &Case, runs: &Runs) -> Result<Vec<Record>, JudgeError> {
     Ok(records)
 }
 
+/// What a case measures of a run, but for what needs several.
+///
+/// # Errors
+/// [`JudgeError`] of the case.
+pub(crate) fn metrics(case: &Case, run: &Run, runs: &Runs) -> Result<Vec<Metric>, JudgeError> {
+    let mut metrics = (case.each)(run)?;
+    metrics.extend(rest(run));
+    metrics.extend(asked(run, runs)?);
+    if let Some(judged) = &run.variant.judged {
+        metrics.extend(judged(run, runs)?);
+    }
+    Ok(metrics)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::judge::Metric;
 
     const SCENE: &str = include_str!("../../../scenes/ring.toml");
 

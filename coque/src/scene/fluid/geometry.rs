@@ -123,6 +123,16 @@ impl FluidGeometry {
         }
     }
 
+    /// The same, to change it.
+    pub(crate) fn spacing_mut(&mut self) -> &mut Positive {
+        match self {
+            Self::Block(block) => &mut block.spacing,
+            Self::Blocks(blocks) => &mut blocks.spacing,
+            Self::Disc(disc) => &mut disc.spacing,
+            Self::Annulus(annulus) => &mut annulus.spacing,
+        }
+    }
+
     /// The circles between which rings of particles stand: centre, inner and outer radius.
     pub(crate) fn rings(&self) -> Option<Annulus> {
         match *self {

@@ -1,8 +1,8 @@
-//! A run whose results go into a folder: its checkpoints and frames on the way, the rest once it has ended.
+//! A run whose results go into a folder: its checkpoints and frames on the way, the rest once it has ended, then the errors of its numbers.
 
 use mesh_io::FieldError;
 
-use super::RunOptions;
+use crate::analyses::RunOptions;
 use crate::bodies::Model;
 use crate::fields::{FieldFiles, FieldSink, Frame};
 use crate::run::checkpoint::{Checkpoint, Checkpoints, Origin};
@@ -23,7 +23,8 @@ pub struct Kept {
 
 impl Model {
     /// Runs and writes what the scene asks for into its folder. The rows of the curve on the way are those of `progress`; `also` sees the
-    /// frames beside the files.
+    /// frames beside the files. Where the scene asks for errors, the results of the run are there before other lattices run, and are written
+    /// again with the errors beside them.
     ///
     /// # Errors
     /// A checkpoint of another model, frames that cannot be begun, a checkpoint that cannot be removed.
@@ -36,6 +37,7 @@ impl Model {
         also: Option<&mut dyn FieldSink>,
     ) -> Result<Kept, String> {
         let (task, replaced) = (self.task.clone(), origin.replaced.clone());
+        let (barred, threads) = (self.barred.clone(), self.threads);
         let mut checkpoints =
             task.output.checkpoint_every.map(|every| Checkpoints::new(folder.path(), origin, every.get()));
         let frames = from.as_ref().map_or(0, Checkpoint::frames);
@@ -44,7 +46,7 @@ impl Model {
         let mut both = Both { files, also };
         let shows = both.files.is_some() || both.also.is_some();
         let options = RunOptions {
-            progress,
+            progress: &mut *progress,
             checkpoints: checkpoints.as_mut(),
             fields: shows.then_some(&mut both as &mut dyn FieldSink),
             from,
@@ -52,13 +54,17 @@ impl Model {
         let mut outcome = self.run_with(options).map_err(|error| format!("{error}\n"))?;
         outcome.summary.replaced =
             replaced.into_iter().map(|(path, value)| format!("{path}={value}")).collect();
-        let written = folder.write(&task, &outcome);
+        let mut written = folder.write(&task, &outcome);
         // With more room on the disk a run can go on, or write its results, as well.
         let stopped =
             matches!(outcome.ended, Ended::Interrupted { .. } | Ended::Diverged(Failure::Fields(_)));
         let resumable = (stopped || written.is_err()) && checkpoints.is_some();
         if !resumable && let Some(checkpoints) = checkpoints {
             checkpoints.finish().map_err(|error| format!("{error}\n"))?;
+        }
+        if let Some(scene) = barred.filter(|_| !resumable) {
+            outcome.summary.errors = Some(scene.errors(&outcome, threads, progress));
+            written = folder.write(&task, &outcome);
         }
         Ok(Kept { outcome, written, resumable })
     }

@@ -1,0 +1,155 @@
+//! The bar of one number from answers on two or three lattices.
+//!
+//! Answers a on spacings h with an error C hᵖ give C and the order p from their differences, as `convergence.rs` has them; the bar is
+//!
+//! ```text
+//! F |C| h₀ᵖ,    |C| = |a₀ − a₁| / |h₁ᵖ − h₀ᵖ|,    F = 2
+//! ```
+//!
+//! on the spacing h₀ of the run itself, with p from one half to two. Where differences fall faster than with the fourth order, the nearer lattice agrees with
+//! the run by chance, and the difference of the other two counts. On lattices in steps of √2 that is F |a₀ − a₁|/(2^{p/2} − 1). With one other lattice
+//! the second order is taken, and F is 3 \[roache1994\].
+
+use super::convergence::order;
+use crate::results::error_bars::{ErrorBar, Verdict};
+
+/// Factor on the error where three lattices show an order, and where two do not.
+const SAFETY: [f64; 2] = [2.0, 3.0];
+/// Order beyond which two lattices agree by chance: twice that of the methods.
+const CHANCE: f64 = 4.0;
+/// Differences below this share of the greatest value of a column are round-off: answers of Newton's method and of factors agree so far.
+const ROUND_OFF: f64 = 1e-9;
+
+/// An answer on a lattice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnLattice {
+    /// Spacing, in any unit.
+    pub spacing: f64,
+    /// The answer.
+    pub value: f64,
+}
+
+/// The bar of an answer from those on one or two other lattices; `scale` is the greatest value of its column.
+pub fn bar(own: OnLattice, others: &[OnLattice], scale: f64) -> ErrorBar {
+    let value = own.value;
+    let with = |bar, order, verdict| ErrorBar { value, bar, order, verdict };
+    let mut all: Vec<OnLattice> = others.iter().copied().chain([own]).collect();
+    if others.is_empty() || all.iter().any(|answer| !answer.value.is_finite()) {
+        return with(None, None, Verdict::Unpaired);
+    }
+    all.sort_by(|a, b| b.spacing.total_cmp(&a.spacing));
+    let (least, most) = all
+        .iter()
+        .fold((value, value), |(low, high), answer| (low.min(answer.value), high.max(answer.value)));
+    let greatest = most - least;
+    if greatest <= ROUND_OFF * scale {
+        return with(Some(greatest), None, Verdict::Exact);
+    }
+    let &[first, second, third] = &all[..] else {
+        let (a, b) = (all[0], all[1]);
+        return with(Some(SAFETY[1] * share(a, b, own, 2.0)), None, Verdict::TwoLattices);
+    };
+    let differences = [first.value - second.value, second.value - third.value];
+    if differences[0] * differences[1] < 0.0 {
+        return with(Some(greatest), None, Verdict::NotYet);
+    }
+    let spacings = [first, second, third].map(|answer| answer.spacing);
+    let Some(order) = order(spacings, differences.map(f64::abs)) else {
+        return with(None, None, Verdict::Grows);
+    };
+    // Of the pairs that the run itself is one of, the more careful; of all where the last two agree by chance.
+    let [h1, h2, h3] = spacings.map(|h| libm::pow(h / own.spacing, CHANCE));
+    let chance = (differences[0] * (h2 - h3)).abs() > (differences[1] * (h1 - h2)).abs();
+    let pairs = [(first, second), (second, third)].into_iter();
+    let pairs = pairs.filter(|&(a, b)| chance || a == own || b == own);
+    let error = pairs.map(|(a, b)| share(a, b, own, order)).fold(0.0, f64::max);
+    with(Some(SAFETY[0] * error), Some(order), Verdict::Converging)
+}
+
+/// The error of `own` if the difference of two answers is one of C hᵖ.
+fn share(a: OnLattice, b: OnLattice, own: OnLattice, order: f64) -> f64 {
+    let power = |h: f64| libm::pow(h / own.spacing, order);
+    ((a.value - b.value) / (power(a.spacing) - power(b.spacing))).abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::SQRT_2;
+
+    use super::*;
+
+    const SPACINGS: [f64; 3] = [1.0, SQRT_2, 2.0];
+
+    fn of(spacings: [f64; 3], values: [f64; 3]) -> ErrorBar {
+        let on = |i: usize| OnLattice { spacing: spacings[i], value: values[i] };
+        bar(on(0), &[on(1), on(2)], 1.0)
+    }
+
+    #[test]
+    fn the_bar_of_a_power_of_the_spacing_is_twice_its_error() {
+        for p in [0.6, 1.0, 1.5, 2.0] {
+            // The run itself on the finest, the middle and the coarsest of the three lattices.
+            for own in [1.0, SQRT_2, 2.0] {
+                let mut spacings = SPACINGS;
+                let at = spacings.iter().position(|&h| h == own).unwrap();
+                spacings.swap(0, at);
+                let found = of(spacings, spacings.map(|h| 3.0 - 0.01 * libm::pow(h, p)));
+                let error = 0.01 * libm::pow(own, p);
+                assert!((found.bar.unwrap() / (2.0 * error) - 1.0).abs() < 1e-9, "{found:?}");
+                assert!((found.order.unwrap() - p).abs() < 1e-9 && found.verdict == Verdict::Converging);
+            }
+        }
+    }
+
+    #[test]
+    fn in_steps_of_the_root_of_two_it_is_the_difference_over_a_power() {
+        let found = of(SPACINGS, [1.0, 1.1, 1.25]);
+        let p = found.order.unwrap();
+        assert!((p - 2.0 * libm::log2(1.5)).abs() < 1e-9);
+        assert!((found.bar.unwrap() - 2.0 * 0.1 / (libm::exp2(0.5 * p) - 1.0)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_falls_faster_than_the_second_order_is_taken_at_the_second() {
+        let found = of(SPACINGS, [1.0, 1.1, 1.35]);
+        assert_eq!(found.order, Some(2.0));
+        assert!((found.bar.unwrap() - 2.0 * 0.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn two_lattices_that_agree_by_chance_do_not_count() {
+        let found = of(SPACINGS, [1.0, 1.001, 1.2]);
+        assert_eq!(found.order, Some(2.0));
+        // The difference of the other two, at the second order: C of .199/2.
+        assert!((found.bar.unwrap() - 2.0 * 0.199 / 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_goes_back_and_forth_has_its_greatest_difference() {
+        let found = of(SPACINGS, [1.0, 1.1, 0.7]);
+        assert_eq!((found.order, found.verdict), (None, Verdict::NotYet));
+        assert!((found.bar.unwrap() - 0.4).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_grows_with_refinement_has_no_bar() {
+        let found = of(SPACINGS, [1.0, 0.8, 0.7]);
+        assert_eq!((found.bar, found.verdict), (None, Verdict::Grows));
+    }
+
+    #[test]
+    fn round_off_is_no_error_and_no_number_is_no_bar() {
+        let found = of(SPACINGS, [1.0, 1.0 + 4e-10, 1.0 - 4e-10]);
+        assert_eq!(found.verdict, Verdict::Exact);
+        assert!((found.bar.unwrap() - 8e-10).abs() < 1e-15);
+        assert_eq!(of(SPACINGS, [1.0, f64::NAN, 1.0]).verdict, Verdict::Unpaired);
+    }
+
+    #[test]
+    fn two_lattices_are_taken_at_the_second_order() {
+        let on = |spacing, value| OnLattice { spacing, value };
+        let found = bar(on(1.0, 1.0), &[on(0.5, 1.03)], 1.0);
+        assert_eq!(found.verdict, Verdict::TwoLattices);
+        assert!((found.bar.unwrap() - 3.0 * 0.03 * 4.0 / 3.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,191 @@
+//! A dot: the error that a bar claims, and the true one.
+
+use coque::Verdict;
+use coque::accuracy::{OnLattice, bar};
+use serde::Serialize;
+
+use super::OnLattices;
+use crate::Metric;
+use crate::judge::Case;
+use crate::metric_names::KNOWN;
+
+/// Relative difference of two references that are one.
+const SAME: f64 = 1e-9;
+/// Digits up to which a reference is one that was printed, and known to half of its last.
+const PRINTED: usize = 6;
+
+/// All of it, in percent.
+const WHOLE: f64 = 100.0;
+/// Judged errors in percent that are none of an answer: of balances, of noise, from one run to the next.
+const NO_ANSWERS: [&str; 12] = [
+    "balance",
+    "spread",
+    "drift",
+    "change",
+    "rms",
+    "density",
+    "taken",
+    "damage",
+    "energy",
+    "deviation",
+    "area by",
+    "outside",
+];
+
+/// Cases whose references are of another theory than what is run, which no lattice approaches, and of which.
+const OTHER_THEORIES: [(&str, &str); 14] = [
+    ("turek-hron", "a plane solid"),
+    ("clamped-strip", "a beam without shear"),
+    ("gate-alone", "a slender cantilever"),
+    ("cantilever-end-shear", "the elastica, which does not stretch"),
+    ("twisted-beam", "a beam"),
+    ("external-pressure", "inextensible rings, shallow waves of cylinders"),
+    ("shortened", "a plate beyond buckling by one wave"),
+    ("panel", "the mesh of another program"),
+    ("panel-laminated", "the mesh of another program"),
+    ("hemisphere-large", "the mesh of another program"),
+    ("open-cylinder", "the mesh of another program"),
+    ("pinched-cylinder-large", "the mesh of another program"),
+    ("plate-stability", "plates without a horizon"),
+    ("column-solid", "a column without shear"),
+];
+
+/// The half of the cases that a dot belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Half {
+    /// On which the rule was chosen.
+    Chosen,
+    /// On which it is judged.
+    Judged,
+}
+
+/// A number with the error that its bar claims and the one that it has.
+#[derive(Clone, Debug, Serialize)]
+pub struct Dot {
+    /// Case, run and metric.
+    pub name: String,
+    /// Family of the case.
+    pub family: &'static str,
+    /// Half of the case.
+    pub half: Half,
+    /// The theory of the reference, where it is another than that of the run.
+    pub theory: Option<&'static str>,
+    /// The number, in the unit of its metric.
+    pub value: f64,
+    /// The reference.
+    pub reference: f64,
+    /// What errors are shares of: the size of the reference, of an error in percent a hundred.
+    pub scale: f64,
+    /// Half of the last digit of a printed reference.
+    pub rounding: f64,
+    /// The bar; none where the numbers grow with refinement or are not found.
+    pub bar: Option<f64>,
+    /// What the lattices tell.
+    pub verdict: Verdict,
+    /// Answers on the lattices, the scene's own first, and their spacings.
+    pub answers: Vec<[f64; 2]>,
+}
+
+impl Dot {
+    /// The true error, what the reference is rounded by left out.
+    pub fn error(&self) -> f64 {
+        ((self.value - self.reference).abs() - self.rounding).max(0.0)
+    }
+
+    /// Whether the bar holds the true error; none without a bar.
+    pub fn inside(&self) -> Option<bool> {
+        Some(self.error() <= self.bar?)
+    }
+}
+
+/// The dots of a run from the metrics that its case finds on each lattice.
+pub(super) fn of(case: &Case, ran: &OnLattices, metrics: &[Vec<Metric>]) -> Vec<Dot> {
+    let Some((own, others)) = metrics.split_first() else { return Vec::new() };
+    let dot = |metric: &Metric| {
+        let (value, reference) = (metric.value?, reference(metric)?);
+        let off = (value - reference).abs();
+        let compared = metric.error.is_some_and(|error| (error - off).abs() <= SAME * error);
+        if metric.name == KNOWN || !compared {
+            return None;
+        }
+        let mut answers = vec![OnLattice { spacing: 1.0, value }];
+        for (found, spacing) in others.iter().zip(&ran.spacings[1..]) {
+            let same = found.iter().find(|other| other.name == metric.name)?;
+            // What is held against another run of ours is no reference.
+            if (same.reference.unwrap_or(0.0) - reference).abs() > SAME * reference.abs() {
+                return None;
+            }
+            answers.extend(same.value.map(|value| OnLattice { spacing: *spacing, value }));
+        }
+        let scale = if metric.reference.is_some() { reference.abs() } else { WHOLE };
+        let found = bar(answers[0], &answers[1..], scale);
+        Some(Dot {
+            name: format!("{}: {} {}: {}", case.name, ran.variant.method, ran.variant.grid, metric.name),
+            family: case.family,
+            half: half(case.name),
+            theory: OTHER_THEORIES.iter().find(|(name, _)| *name == case.name).map(|(_, theory)| *theory),
+            value,
+            reference,
+            scale,
+            rounding: rounding(reference),
+            bar: found.bar,
+            verdict: found.verdict,
+            answers: answers.iter().map(|answer| [answer.spacing, answer.value]).collect(),
+        })
+    };
+    own.iter().filter_map(dot).collect()
+}
+
+/// What a metric is held against; zero for a judged error in percent of a truth. A reference of zero is that of a balance.
+fn reference(metric: &Metric) -> Option<f64> {
+    let answer = || NO_ANSWERS.iter().all(|word| !metric.name.contains(word));
+    match metric.reference {
+        Some(reference) => Some(reference).filter(|&reference| reference != 0.0),
+        None => (metric.tolerance.is_some() && metric.unit.starts_with('%') && answer()).then_some(0.0),
+    }
+}
+
+/// The half of a case: by the last bit of the sum of the bytes of its name, each mixed in by a prime (FNV-1a).
+pub(super) fn half(name: &str) -> Half {
+    let hash = name.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    // The last bit alone is the parity of the bytes.
+    if (hash ^ (hash >> 32)) & 1 == 0 { Half::Chosen } else { Half::Judged }
+}
+
+/// Half of the last digit of a number that has few; zero of one that was computed.
+fn rounding(reference: f64) -> f64 {
+    let text = format!("{reference:e}");
+    let Some((digits, power)) = text.split_once('e') else { return 0.0 };
+    let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let power: i32 = power.parse().unwrap_or(0);
+    // A whole number of one digit, such as a count or a limit of one, is exact.
+    if decimals == 0 || decimals >= PRINTED {
+        0.0
+    } else {
+        0.5 * libm::pow(10.0, f64::from(power - decimals as i32))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_printed_reference_is_known_to_half_its_last_digit() {
+        for (reference, known) in
+            [(0.3024, 5e-5), (2.222, 5e-4), (1.0, 0.0), (std::f64::consts::PI, 0.0), (1850.0, 5.0)]
+        {
+            assert!((rounding(reference) - known).abs() < 1e-12, "{reference}");
+        }
+    }
+
+    #[test]
+    fn the_halves_are_about_as_large() {
+        let names: Vec<String> = (0..200).map(|i| format!("case-{i}")).collect();
+        let chosen = names.iter().filter(|name| half(name) == Half::Chosen).count();
+        assert!((70..130).contains(&chosen), "{chosen}");
+    }
+}

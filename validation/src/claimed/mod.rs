@@ -1,0 +1,121 @@
+//! Claimed against true error: the bars that `coque run --error` gives, held against references that are not our own.
+//!
+//! Every scene of the cases runs on its own lattice and on those beside it; the numbers that a case compares with a reference are found on each by
+//! the case itself, and their bars by the rule of `coque::accuracy`. Cases are split by a hash of their names: the rule was chosen on one half, and
+//! is judged on the other.
+
+mod dots;
+mod judged;
+
+pub use dots::{Dot, Half};
+pub use judged::{Share, judged, page, table};
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use coque::accuracy::Companions;
+use coque::{Checked, Scene, Silent};
+
+use crate::judge::{Case, Outcome, Problem, Run, Runs, Selection, Variant, choose, metrics};
+use crate::{JudgeError, Metric};
+
+/// Runs of a case on one lattice after the other, the scene's own first; none where a scene has no other lattice.
+struct OnLattices {
+    variant: Variant,
+    spacings: Vec<f64>,
+    outcomes: Vec<Outcome>,
+}
+
+/// Runs what is selected of the cases on all lattices; a dot for each number that is compared with a reference.
+///
+/// # Errors
+/// [`JudgeError`] for unknown names and refused scenes.
+pub fn claimed(
+    cases: Vec<Case>,
+    selection: &Selection,
+    tell: &(dyn Fn(String) + Sync),
+) -> Result<Vec<Dot>, JudgeError> {
+    let cases = choose(cases, selection)?;
+    let mut scenes = Vec::new();
+    for (number, (case, _)) in cases.iter().enumerate() {
+        for variant in &case.variants {
+            if let Problem::Scene { text, set } = &variant.source {
+                let scene = Scene::with_overrides(text, case.name, set);
+                // Scenes with the surfaces of their cases are built by these.
+                scenes.extend(scene.ok().map(|scene| (number, variant.clone(), scene)));
+            }
+        }
+    }
+    let (next, ended, count) = (AtomicUsize::new(0), AtomicUsize::new(0), scenes.len());
+    let found: Mutex<Vec<(usize, usize, OnLattices)>> = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..selection.jobs.clamp(1, count.max(1)) {
+            scope.spawn(|| {
+                while let Some((number, variant, scene)) = scenes.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let at = ended.fetch_add(1, Ordering::Relaxed) + 1;
+                    let ran = on_lattices(variant, scene);
+                    let how = match &ran {
+                        Ok(ran) => format!("{} lattices", ran.outcomes.len()),
+                        Err(why) => format!("no bar: {why}"),
+                    };
+                    tell(format!(
+                        "[{at}/{count}] {}: {} {}: {how}",
+                        cases[*number].0.name, variant.method, variant.grid
+                    ));
+                    if let Ok(ran) = ran {
+                        let mut found = found.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                        found.push((*number, at, ran));
+                    }
+                }
+            });
+        }
+    });
+    let mut found = found.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    found.sort_by_key(|(number, _, ran)| (*number, ran.variant.method.clone(), ran.variant.grid.clone()));
+    let mut dots = Vec::new();
+    for (number, (case, left_out)) in cases.iter().enumerate() {
+        let own: Vec<&OnLattices> =
+            found.iter().filter(|(of, _, _)| *of == number).map(|(_, _, ran)| ran).collect();
+        for ran in &own {
+            let on = |lattice: usize| of_lattice(case, left_out, &own, ran, lattice);
+            let metrics: Vec<Vec<Metric>> = (0..ran.outcomes.len()).map(on).collect();
+            dots.extend(dots::of(case, ran, &metrics));
+        }
+    }
+    Ok(dots)
+}
+
+/// What a case finds of a run on one of its lattices, beside the others on theirs; nothing where it cannot.
+fn of_lattice(
+    case: &Case,
+    left_out: &[Variant],
+    own: &[&OnLattices],
+    ran: &OnLattices,
+    lattice: usize,
+) -> Vec<Metric> {
+    let of = |other: &&OnLattices| {
+        let outcome = other.outcomes[lattice.min(other.outcomes.len() - 1)].clone();
+        Run { variant: other.variant.clone(), outcome }
+    };
+    let runs = Runs { chosen: own.iter().map(of).collect(), left_out: left_out.to_vec() };
+    let run = Run { variant: ran.variant.clone(), outcome: ran.outcomes[lattice].clone() };
+    metrics(case, &run, &runs).unwrap_or_default()
+}
+
+/// A scene on its own lattice and those beside it.
+fn on_lattices(variant: &Variant, scene: &Checked) -> Result<OnLattices, String> {
+    let Companions { lattices, .. } = scene.companions(1)?;
+    let run = |scene: &Checked| -> Result<Outcome, String> {
+        let model = scene.build(1).map_err(|error| error.to_string())?;
+        Ok(Outcome::from(model.run(&mut Silent)))
+    };
+    let (mut spacings, mut outcomes) = (vec![1.0], vec![run(scene)?]);
+    for companion in &lattices {
+        // What is refused or ends early there leaves its numbers without an answer.
+        if let Ok(outcome) = run(&companion.scene) {
+            spacings.push(companion.spacing);
+            outcomes.push(outcome);
+        }
+    }
+    Ok(OnLattices { variant: variant.clone(), spacings, outcomes })
+}
