@@ -16,7 +16,7 @@ const THROUGH: f64 = 1.0 - 1e-9;
 /// ```
 ///
 /// It is twice differentiable for b > 0, and infinite at s = 1: mid-surfaces never meet. A rounded corner keeps the energy of
-/// bodies that bounce in steps of finite size; without it (b = 0) depths of any size are told apart, as answers without time need.
+/// bodies that bounce in steps of finite size; without it (b = 0) depths of any size are resolved, as answers without time need.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law {
     rounding: f64,

@@ -221,7 +221,10 @@ impl ShellBuilder {
 
         let springs = springs.checked(&reference)?;
         junctions.check_springs(&springs.of_bodies)?;
-        let tools = Tools::new(tools, &reference, &material)?;
+        let tools = match tools.is_empty() {
+            true => Tools::default(),
+            false => Tools::new(tools, &reference, &material.half_thickness(&reference)?)?,
+        };
         material.stress(&stresses, &reference, &mut points)?;
         let surface =
             wetting.map(|wetting| Surface::new(&reference, material.thickness(&reference), &wetting));

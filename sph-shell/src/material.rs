@@ -36,6 +36,32 @@ impl Material {
         self.regions.homogeneous(&*self.section)
     }
 
+    /// Half of the thickness at each particle \[L\], the mean over its cells by area, of sections in the middle of their particles.
+    ///
+    /// # Errors
+    /// [`ShellError`] for a shell without cells, and for sections over or below their particles.
+    pub fn half_thickness(&self, reference: &Reference) -> Result<Vec<f64>, ShellError> {
+        let cloud = &reference.cloud;
+        if cloud.cells.is_empty() {
+            return Err(ShellError::ToolWithoutCells);
+        }
+        let (mut volumes, mut areas) = (vec![0.0; cloud.len()], vec![0.0; cloud.len()]);
+        for (number, cell) in cloud.cells.iter().enumerate() {
+            let own = self.at(number);
+            if own.height != 0.0 {
+                return Err(ShellError::ToolOnOffset { cell: number });
+            }
+            let area = cell.geometry(&cloud.positions).area;
+            for &a in &cell.corners[..usize::from(cell.count)] {
+                volumes[a as usize] += area * own.thickness;
+                areas[a as usize] += area;
+            }
+        }
+        // A particle of no cell touches nothing.
+        let half = |(volume, area): (&f64, &f64)| if *area > 0.0 { 0.5 * volume / area } else { 0.0 };
+        Ok(volumes.iter().zip(&areas).map(half).collect())
+    }
+
     /// Thickness, of several sections the mean over the area \[L\].
     pub fn thickness(&self, reference: &Reference) -> f64 {
         let mean = self.regions.mean_thickness(&*self.section, reference);

@@ -7,7 +7,6 @@ use sph_core::Vec3;
 use crate::conditions::case::LoadCase;
 use crate::conditions::loads::{Block, place_block};
 use crate::error::ShellError;
-use crate::material::Material;
 use crate::packs::Row;
 use crate::reference::Reference;
 
@@ -49,23 +48,12 @@ pub(crate) struct Tools {
 }
 
 impl Tools {
-    /// The tools of a shell.
+    /// The tools of a shell with half of its thickness at each particle \[L\].
     ///
     /// # Errors
-    /// [`ShellError`] for shapes without sense, a stiffness that is not positive, a shell without cells, sections over or below
-    /// their particles.
-    pub fn new(tools: Vec<Tool>, reference: &Reference, material: &Material) -> Result<Self, ShellError> {
-        if tools.is_empty() {
-            return Ok(Self::default());
-        }
+    /// [`ShellError`] for shapes without sense and a stiffness that is not positive.
+    pub fn new(tools: Vec<Tool>, reference: &Reference, half: &[f64]) -> Result<Self, ShellError> {
         let cloud = &reference.cloud;
-        if cloud.cells.is_empty() {
-            return Err(ShellError::ToolWithoutCells);
-        }
-        if let Some(cell) = (0..cloud.cells.len()).find(|&cell| material.at(cell).height != 0.0) {
-            return Err(ShellError::ToolOnOffset { cell });
-        }
-        let half = half_thickness(reference, material);
         let surface = Surface::new(&cloud.cells, &cloud.positions, |a| half[a as usize]);
         let touched = |tool: Tool| {
             let Tool { shape, moved, amplitude, law, stiffness } = tool;
@@ -168,20 +156,6 @@ impl Touched {
     fn moved_at(&self, at: Instant, under_way: LoadCase) -> Vec3 {
         self.moved * (LoadCase::Loading.factor(under_way, at.level) * self.amplitude.value(at.time))
     }
-}
-
-/// Half of the thickness at each particle: the mean over its cells by area.
-fn half_thickness(reference: &Reference, material: &Material) -> Vec<f64> {
-    let cloud = &reference.cloud;
-    let (mut volumes, mut areas) = (vec![0.0; cloud.len()], vec![0.0; cloud.len()]);
-    for (number, cell) in cloud.cells.iter().enumerate() {
-        let area = cell.geometry(&cloud.positions).area;
-        for &a in &cell.corners[..usize::from(cell.count)] {
-            volumes[a as usize] += area * material.at(number).thickness;
-            areas[a as usize] += area;
-        }
-    }
-    volumes.iter().zip(&areas).map(|(volume, area)| 0.5 * volume / area).collect()
 }
 
 fn place(state: &[Row]) -> impl Fn(u32) -> Vec3 {

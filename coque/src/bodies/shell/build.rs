@@ -17,7 +17,6 @@ use super::imported::{Imported, Provenance};
 use super::places;
 use super::rigid::free_motions;
 use super::sections::Sections;
-use super::tools::stiffness;
 use super::warnings::{warnings_of, warnings_of_shapes};
 use crate::bodies::memory::{check_memory, particles_asked};
 use crate::bodies::refusal::{not_a, refuse_dof, refuse_free_motion};
@@ -120,7 +119,7 @@ pub(super) fn assemble(
     let wetting = wetting.map(|wetting| Wetting { free_edges: free_edges(&cloud, &supports), ..wetting });
     let masses = builder.masses(&sets)?;
     let stresses = builder.stresses(&cells)?;
-    let tools = builder.tools(stiffness(&sections, &cloud));
+    let tools = builder.tools(&sections, &cloud);
     let parts = Parts {
         cloud,
         section: sections.base,

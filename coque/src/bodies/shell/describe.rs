@@ -6,10 +6,9 @@ use mesh_io::surface::side;
 use sph_shell::Shell;
 
 use super::imported::Provenance;
-use super::tools;
 use crate::bodies::{Description, LoadResultants, Resultant, TangentCost};
 use crate::scene::body_in_scene::ShellInScene;
-use crate::scene::{Axis, Formulation, Layered, LoadKind, Ply, Reach, Section};
+use crate::scene::{Axis, Formulation, Layered, LoadKind, Ply, Reach, Section, ToolScene};
 
 /// Steps in whose time a tangent of cells is assembled and factorised: so many, and so many times the root of the number
 /// of degrees of freedom n (a step takes a time that grows as n, a factor on a surface as n^1.5). Measured on lattices of
@@ -24,7 +23,7 @@ pub(crate) fn describe(
     parts: Vec<String>,
 ) -> Description {
     let (mut modelled, left_out) = lists(scene, surface, parts);
-    modelled.extend(tools::described(&scene.shell.tools, shell));
+    modelled.extend(touched(&scene.shell.tools, shell));
     let dof = shell.dof();
     Description {
         kind: "shell",
@@ -164,4 +163,17 @@ fn describe_load(word: &str, kind: &LoadKind) -> String {
         LoadKind::Pressure(pressure) if pressure.follower => "follower pressure".into(),
         _ => word.into(),
     }
+}
+
+/// What is modelled of the tools of a shell, a line each.
+fn touched(tools: &[ToolScene], shell: &Shell) -> Vec<String> {
+    let line = |(tool, stiffness): (&ToolScene, f64)| {
+        let shape = tool.given().first().copied().unwrap_or_default();
+        let moves = if tool.moved.is_some_and(|moved| moved != [0.0; 3]) { ", which moves" } else { "" };
+        format!(
+            "contact with the {shape} `{}`{moves}, without friction, {stiffness:.3e} an area and depth",
+            tool.name
+        )
+    };
+    tools.iter().zip(shell.tool_stiffness()).map(line).collect()
 }

@@ -2,7 +2,7 @@
 
 use contact::{Law, ToolShape};
 use explicit_dynamics::Instant;
-use sph_core::{Cloud, Vec3};
+use sph_core::Cloud;
 use sph_shell::{Shell, Tool};
 
 use super::build::Builder;
@@ -16,7 +16,7 @@ const TOUCHING: f64 = 1e-6;
 const ROUNDED: f64 = 0.05;
 
 /// Stiffness of contact of a unit of area of a shell \[F/L³\], before its factor: by its thinnest section and mean spacing.
-pub(super) fn stiffness(sections: &Sections, cloud: &Cloud) -> f64 {
+fn stiffness(sections: &Sections, cloud: &Cloud) -> f64 {
     let cells = cloud.cells.len().max(1) as f64;
     let area: f64 = cloud.cells.iter().map(|cell| cell.geometry(&cloud.positions).area).sum();
     let spacing = (area / cells).sqrt();
@@ -28,8 +28,9 @@ pub(super) fn stiffness(sections: &Sections, cloud: &Cloud) -> f64 {
 }
 
 impl Builder<'_> {
-    /// The tools of the scene, whose contact has a stiffness times their own factors.
-    pub(super) fn tools(&self, stiffness: f64) -> Vec<Tool> {
+    /// The tools of the scene.
+    pub(super) fn tools(&self, sections: &Sections, cloud: &Cloud) -> Vec<Tool> {
+        let stiffness = stiffness(sections, cloud);
         let rounding = if matches!(self.scene.analysis, Analysis::Explicit(_)) { ROUNDED } else { 0.0 };
         let tool = |tool: &ToolScene| {
             let rounding = tool.rounding.map_or(rounding, |rounding| rounding.get());
@@ -82,21 +83,4 @@ impl Builder<'_> {
         }
         Ok(())
     }
-}
-
-/// What is modelled of the tools of a shell, a line each.
-pub(super) fn described(tools: &[ToolScene], shell: &Shell) -> Vec<String> {
-    let line = |(tool, stiffness): (&ToolScene, f64)| {
-        let shape = tool.given().first().copied().unwrap_or_default();
-        let moves = if tool.moved.is_some_and(|moved| Vec3::from(moved) != Vec3::zeros()) {
-            ", which moves"
-        } else {
-            ""
-        };
-        format!(
-            "contact with the {shape} `{}`{moves}, without friction, {stiffness:.3e} an area and depth",
-            tool.name
-        )
-    };
-    tools.iter().zip(shell.tool_stiffness()).map(line).collect()
 }
