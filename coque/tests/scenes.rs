@@ -74,7 +74,10 @@ fn said(scene: Checked) -> String {
         source: _,
         surfaces: _,
     } = scene.into_scene();
-    format!("{:?}", (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, (output, error)))
+    format!(
+        "{:?}",
+        (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, (output, error))
+    )
 }
 
 #[test]
