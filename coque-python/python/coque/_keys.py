@@ -122,7 +122,7 @@ if TYPE_CHECKING:
     Material_2 = TypedDict("Material_2", {"orthotropic": "Orthotropic"})
     Material_3 = TypedDict("Material_3", {"file": "OfFile"})
     Material: TypeAlias = Union["Material_1", "Material_2", "Material_3"]
-    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
+    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
     Mesh = TypedDict("Mesh", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[float]})
     Modal = TypedDict("Modal", {"modes": int})
     Moved = TypedDict("Moved", {"by": float, "direction": Sequence[float]})
@@ -147,7 +147,7 @@ if TYPE_CHECKING:
     Polygon = TypedDict("Polygon", {"corners": Sequence[Sequence[float]]})
     Polyline = TypedDict("Polyline", {"points": Sequence[Sequence[float]], "side": "LineSide"})
     Prebuckling: TypeAlias = Union[Literal['rotations'], Literal['stress']]
-    Pressure = TypedDict("Pressure", {"follower": NotRequired[bool], "value": float})
+    Pressure = TypedDict("Pressure", {"follower": NotRequired[bool], "value": NotRequired[float], "values": NotRequired[str]})
     Probe = TypedDict("Probe", {"about": NotRequired[Sequence[float]], "at": NotRequired[Sequence[float]], "direction": NotRequired[Sequence[float]], "face": NotRequired["ShellFace"], "factor": NotRequired[float], "name": str, "of": "Measured", "on": str, "take": NotRequired["Take"], "through": NotRequired["Through"], "unit": NotRequired[str]})
     QuasiStatic = TypedDict("QuasiStatic", {"accuracy": NotRequired[float], "damping": NotRequired["Damping"], "hold": NotRequired[float], "levels": "Levels", "period": NotRequired[float], "ramp": NotRequired[float], "stability": NotRequired[bool], "tolerance": NotRequired[float]})
     Reach: TypeAlias = Union[Literal['cell'], float]
@@ -164,7 +164,7 @@ if TYPE_CHECKING:
     Section: TypeAlias = Union["Section_1", "Section_2", "Section_3"]
     ShellFace: TypeAlias = Union[Literal['top'], Literal['bottom']]
     ShellPart = TypedDict("ShellPart", {"formulation": NotRequired["PartFormulation"], "material": NotRequired["Material"], "offset": NotRequired[float], "on": str, "section": NotRequired["Section"]})
-    ShellScene = TypedDict("ShellScene", {"formulation": NotRequired["Formulation"], "geometry": "Geometry", "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": "Material", "orientation": NotRequired["Orientation"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": "Section", "ties": NotRequired[Sequence["ShellTie"]], "velocity": NotRequired["Velocity"], "wet": NotRequired["WetFaces"]})
+    ShellScene = TypedDict("ShellScene", {"formulation": NotRequired["Formulation"], "geometry": "Geometry", "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": "Material", "orientation": NotRequired["Orientation"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": "Section", "ties": NotRequired[Sequence["ShellTie"]], "tools": NotRequired[Sequence["ToolScene"]], "velocity": NotRequired["Velocity"], "wet": NotRequired["WetFaces"]})
     ShellTie = TypedDict("ShellTie", {"edge": str, "to": str})
     Sign: TypeAlias = Union[Literal['positive'], Literal['negative'], Literal['either']]
     SolidFormulation_1 = TypedDict("SolidFormulation_1", {"bond-based": "Bonds"})
@@ -192,6 +192,11 @@ if TYPE_CHECKING:
     ThicknessTable = TypedDict("ThicknessTable", {"column": str, "file": str})
     Through = TypedDict("Through", {"max": NotRequired[Sequence[float]], "min": NotRequired[Sequence[float]], "normal": Sequence[float], "point": Sequence[float]})
     Time: TypeAlias = Union[Literal['s'], Literal['ms'], Literal['us'], Literal['-']]
+    ToolCapsule = TypedDict("ToolCapsule", {"ends": Sequence[Sequence[float]], "radius": float})
+    ToolCylinder = TypedDict("ToolCylinder", {"axis": Sequence[float], "point": Sequence[float], "radius": float})
+    ToolPlane = TypedDict("ToolPlane", {"normal": Sequence[float], "point": Sequence[float]})
+    ToolScene = TypedDict("ToolScene", {"amplitude": NotRequired["Amplitude"], "capsule": NotRequired["ToolCapsule"], "cylinder": NotRequired["ToolCylinder"], "moved": NotRequired[Sequence[float]], "name": str, "plane": NotRequired["ToolPlane"], "rounding": NotRequired[float], "sphere": NotRequired["ToolSphere"], "stiffness": NotRequired[float]})
+    ToolSphere = TypedDict("ToolSphere", {"centre": Sequence[float], "radius": float})
     Traction = TypedDict("Traction", {"depth": NotRequired[float], "value": Sequence[float]})
     Transient = TypedDict("Transient", {"damping": NotRequired[float], "duration": float, "record_every": float})
     Turned = TypedDict("Turned", {"axis": Sequence[float], "by": float, "point": NotRequired[Sequence[float]]})
@@ -213,4 +218,4 @@ if TYPE_CHECKING:
     WallsScene = TypedDict("WallsScene", {"geometry": "WallGeometry", "motion": NotRequired["WallMotion"]})
     WeaklyCompressible = TypedDict("WeaklyCompressible", {"confined": NotRequired[bool], "courant": NotRequired[float], "density_diffusion": NotRequired[float], "method": NotRequired["FluidMethod"], "smoothing": NotRequired[float], "start": NotRequired["FluidStart"], "viscosity": NotRequired[float], "walls": NotRequired["WallMethod"], "xsph": NotRequired[float]})
     WetFaces: TypeAlias = Union[Literal['both'], Literal['front'], Literal['back']]
-    SceneKeys = TypedDict("SceneKeys", {"analysis": NotRequired["Analysis"], "bodies": NotRequired[Mapping[str, "BodyScene"]], "coupling": NotRequired["Coupling"], "curve": NotRequired[Sequence["Probe"]], "error": NotRequired["ErrorBars"], "formulation": NotRequired["Formulation"], "geometry": NotRequired["Geometry"], "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "loads": NotRequired[Sequence["Load"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": NotRequired["Material"], "orientation": NotRequired["Orientation"], "output": NotRequired["Output"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": NotRequired["Section"], "sets": NotRequired[Mapping[str, "Region"]], "supports": NotRequired[Sequence["Support"]], "ties": NotRequired[Sequence["ShellTie"]], "title": NotRequired[str], "units": NotRequired["Units"], "velocity": NotRequired["Velocity"]})
+    SceneKeys = TypedDict("SceneKeys", {"analysis": NotRequired["Analysis"], "bodies": NotRequired[Mapping[str, "BodyScene"]], "coupling": NotRequired["Coupling"], "curve": NotRequired[Sequence["Probe"]], "error": NotRequired["ErrorBars"], "formulation": NotRequired["Formulation"], "geometry": NotRequired["Geometry"], "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "loads": NotRequired[Sequence["Load"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": NotRequired["Material"], "orientation": NotRequired["Orientation"], "output": NotRequired["Output"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": NotRequired["Section"], "sets": NotRequired[Mapping[str, "Region"]], "supports": NotRequired[Sequence["Support"]], "ties": NotRequired[Sequence["ShellTie"]], "title": NotRequired[str], "tools": NotRequired[Sequence["ToolScene"]], "units": NotRequired["Units"], "velocity": NotRequired["Velocity"]})
