@@ -92,6 +92,9 @@ pub fn ran(
             let mut outcome = model.run_with(options).map_err(|error| error.to_string())?;
             outcome.summary.replaced =
                 replaced.iter().map(|(path, value)| format!("{path}={value}")).collect();
+            if scene.error.is_some() {
+                outcome.summary.errors = Some(scene.errors(&outcome, threads, watch));
+            }
             outcome
         }
     };

@@ -41,6 +41,7 @@ fn in_the_long_form(text: &str) -> String {
         "masses",
         "ties",
         "rigid",
+        "tools",
         "initial_stress",
         "formulation",
         "velocity",

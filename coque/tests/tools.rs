@@ -71,14 +71,14 @@ fn marches_and_statics_bear_the_same() {
     let short = ("tools[0].moved", "[0, 0, -0.2]");
     let still = done(run(RING, &[coarse, short, ("analysis", "{ static = { levels = 1 } }")]));
     let marched =
-        done(run(RING, &[coarse, short, ("analysis", "{ explicit = { quasi-static = { levels = 1 } } }")]));
+        done(run(RING, &[coarse, short, ("analysis", "{ explicit = { quasi-static = { levels = 4 } } }")]));
     let sharp = done(run(
         RING,
         &[
             coarse,
             short,
             ("tools[0].rounding", "0"),
-            ("analysis", "{ explicit = { quasi-static = { levels = 1 } } }"),
+            ("analysis", "{ explicit = { quasi-static = { levels = 4 } } }"),
         ],
     ));
     let off = |outcome: &Outcome| last(outcome, "P") / last(&still, "P") - 1.0;

@@ -332,6 +332,11 @@ impl Shell {
         self.touches()
     }
 
+    /// Whether there are tools that it may touch.
+    pub fn has_tools(&self) -> bool {
+        !self.loading.tools.is_empty()
+    }
+
     /// Force of all tools on a particle \[F\], for the forces last evaluated.
     pub fn tool_force(&self, particle: usize) -> Vec3 {
         self.loading.tools.force(particle)

@@ -1,6 +1,6 @@
 //! The preload: what is applied in full before the analysis, by equilibria, and held from then on.
 
-use implicit_statics::{Control, End, Point, Start, follow};
+use implicit_statics::{Control, End, NewtonOptions, Point, Start, follow};
 
 use super::breaking::note_breaches;
 use super::criticality::{Follows, note};
@@ -36,8 +36,9 @@ pub(crate) fn preload(
         Analysis::ArcLength(wanted) => (wanted.tolerance, wanted.iterations),
         _ => (usual.tolerance, usual.iterations),
     };
-    let options =
-        options(Control::Load { step: 1.0, until: 1.0 }, &newton(tolerance.get(), iterations.get()));
+    let newton =
+        NewtonOptions { line_search: system.opens_and_closes(), ..newton(tolerance.get(), iterations.get()) };
+    let options = options(Control::Load { step: 1.0, until: 1.0 }, &newton);
     let mut internal = 0.0;
     let path = follow(system, &Start::default(), &options, |point, system| {
         // Every point is read: rotations are counted on from one reading to the next.

@@ -97,6 +97,11 @@ pub trait StaticBody: Body + Equilibrium {
         Vec::new()
     }
 
+    /// Whether contacts open and close in it: its stiffness then jumps, and full steps of Newton's method may go to and fro between two states.
+    fn opens_and_closes(&self) -> bool {
+        false
+    }
+
     /// A displacement across which answers are no longer linear \[L\]: the thickness of a shell.
     fn linear_reach(&self) -> f64 {
         1.0

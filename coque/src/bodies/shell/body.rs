@@ -142,6 +142,10 @@ impl<S: DerefMut<Target = Shell> + Send> StaticBody for StaticShell<S> {
         StaticShell::functional(self, &[particle as u32], along)
     }
 
+    fn opens_and_closes(&self) -> bool {
+        self.shell().has_tools()
+    }
+
     fn linear_reach(&self) -> f64 {
         self.shell().thickness()
     }

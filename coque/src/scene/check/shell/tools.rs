@@ -41,7 +41,7 @@ pub(in crate::scene::check) fn check_tools(
                 "rename it",
             ));
         }
-        own.exactly_one("", "shape", &tool.given(), &ToolScene::SHAPES)?;
+        s.exactly_one(&format!("tools[{i}]"), "shape", &tool.given(), &ToolScene::SHAPES)?;
         check_shape(tool, &own)?;
         own.sized_all("moved", &tool.moved.unwrap_or_default())?;
         if let Some(amplitude) = &tool.amplitude {
