@@ -67,7 +67,7 @@ fn forces_and_tangent_are_derivatives() {
                     }
                 },
             );
-            let mut rates = vec![Vec3::zeros(); 6];
+            let mut rates = [Vec3::zeros(); 6];
             let way = Vec3::new(0.2, -0.1, 1.0);
             contact.rates(&moved, &way, |a| rest[a as usize], |a, rate| rates[a as usize] += rate);
             for b in 0..6 {
