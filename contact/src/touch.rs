@@ -27,8 +27,6 @@ pub struct Touch {
     pub energy: f64,
     /// Force on the surface \[F\].
     pub force: Vec3,
-    /// Moment on the surface about zero \[F L\].
-    pub moment: Vec3,
     /// Least gap between faces \[L\], negative where they are in each other.
     pub least_gap: f64,
     /// Greatest depth over the distance at which faces touch \[–\]; mid-surfaces come through at one.
@@ -42,7 +40,6 @@ impl Touch {
     const NONE: Self = Self {
         energy: 0.0,
         force: Vec3::new(0.0, 0.0, 0.0),
-        moment: Vec3::new(0.0, 0.0, 0.0),
         least_gap: f64::INFINITY,
         greatest_depth: 0.0,
         area: 0.0,
@@ -56,7 +53,7 @@ impl ToolContact {
     pub fn forces(&self, moved: &Vec3, at: impl Fn(u32) -> Vec3, mut add: impl FnMut(u32, Vec3)) -> Touch {
         let mut touch = Touch::NONE;
         for vertex in self.surface.vertices() {
-            let (place, gap) = self.look(vertex, moved, &at);
+            let gap = self.look(vertex, moved, &at);
             touch.least_gap = touch.least_gap.min(gap.distance - vertex.half);
             let depth = 1.0 - gap.distance / vertex.half;
             if depth <= 0.0 {
@@ -67,7 +64,6 @@ impl ToolContact {
             let force = gap.normal * (stiff * slope);
             touch.energy += stiff * vertex.half * energy;
             touch.force += force;
-            touch.moment += place.cross(&force);
             touch.greatest_depth = touch.greatest_depth.max(depth);
             touch.area += vertex.area;
             let share = force * vertex.share();
@@ -111,7 +107,7 @@ impl ToolContact {
 
     /// Derivative of the force on a vertex by its place, where it touches.
     fn change(&self, vertex: &Vertex, moved: &Vec3, at: impl Fn(u32) -> Vec3) -> Option<Matrix3<f64>> {
-        let (_, Gap { distance, normal, curvature }) = self.look(vertex, moved, at);
+        let Gap { distance, normal, curvature } = self.look(vertex, moved, at);
         let depth = 1.0 - distance / vertex.half;
         (depth > 0.0).then(|| {
             let [_, slope, second] = self.law.at(depth);
@@ -120,8 +116,7 @@ impl ToolContact {
         })
     }
 
-    fn look(&self, vertex: &Vertex, moved: &Vec3, at: impl Fn(u32) -> Vec3) -> (Vec3, Gap) {
-        let place = vertex.place(at);
-        (place, self.tool.gap(&place, moved))
+    fn look(&self, vertex: &Vertex, moved: &Vec3, at: impl Fn(u32) -> Vec3) -> Gap {
+        self.tool.gap(&vertex.place(at), moved)
     }
 }

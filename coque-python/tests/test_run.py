@@ -62,6 +62,13 @@ def test_a_curve_is_columns_with_units() -> None:
         curve["w"]
 
 
+def test_errors_that_a_scene_asks_for_are_found_with_and_without_a_folder(tmp_path: Path) -> None:
+    scene = coque.Scene(ROOT / "scenes/scordelis-lo.toml", set={"error": {}})
+    alone, kept = scene.run(), scene.run(out=tmp_path / "kept")
+    bars = [result.summary["errors"]["w_edge"]["bar"] for result in (alone, kept)]
+    assert bars[0] == bars[1] > 0.0
+
+
 def test_frames_hold_points_and_fields_with_units(tmp_path: Path) -> None:
     changes = {"output.fields": {"stresses": True}}
     scene = coque.Scene(cantilever(analysis={"static": {"levels": 3}}), set=changes)

@@ -26,7 +26,7 @@ fn refused(replaced: Replaced) -> String {
 #[test]
 fn broken_tools() {
     let two = "[{ name = 'a', sphere = { centre = [0, 0, 3], radius = 1 } }, { name = 'a', sphere = { centre = [0, 0, 4], radius = 1 } }]";
-    let cases: [(&str, Replaced); 12] = [
+    let cases: [(&str, Replaced); 13] = [
         ("no shape", &[("tools", "[{ name = 'a' }]")]),
         ("two shapes", &[("tools[0].sphere", "{ centre = [0, 0, 9], radius = 1 }")]),
         ("no name", &[("tools", "[{ sphere = { centre = [0, 0, 3], radius = 1 } }]")]),
@@ -38,6 +38,10 @@ fn broken_tools() {
         ("in a linear analysis", &[("analysis", "{ linear = {} }")]),
         ("in modes", &[("analysis", "{ modal = { modes = 3 } }")]),
         ("a course without time", &[("tools[0].amplitude", "{ ramp = 1.0 }")]),
+        (
+            "at once in time",
+            &[("analysis", "{ explicit = { transient = { duration = 1, record_every = 0.1 } } }")],
+        ),
         ("nothing drives it", &[("tools[0].moved", "[0, 0, 0]")]),
     ];
     let said = cases.map(|(name, replaced)| format!("== {name}\n{}\n", refused(replaced)));

@@ -11,10 +11,13 @@ use common::{
     shake, supported,
 };
 use contact::{Law, ToolShape, stiffness};
-use explicit_dynamics::{Amplitude, March, Transient};
+use explicit_dynamics::{Amplitude, Instant, March, Transient};
 use implicit_statics::{Control, End, Equilibrium, PathOptions, Start, follow, stiffness_error};
+use nalgebra::Matrix3;
 use sph_core::{Cylinder, EndWeights, Side, Vec3, lattice};
-use sph_shell::{Clamped, Force, Formulation, Load, Parts, Reach, Shell, StaticShell, SymmetryPlane, Tool};
+use sph_shell::{
+    Clamped, Force, Formulation, Load, Parts, Reach, RigidSet, Shell, StaticShell, SymmetryPlane, Tool,
+};
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
 
@@ -89,6 +92,30 @@ fn tangent_and_level_rate_of_a_touched_shell_are_derivatives() {
     }
 }
 
+/// The force of a tool on a rigid set goes to the body: the same derivative, and the same error of it.
+#[test]
+fn the_tangent_of_a_touched_rigid_set_is_a_derivative() {
+    let cloud = curved([7, 6]);
+    let particles: Vec<u32> =
+        (0..cloud.len() as u32).filter(|&a| cloud.positions[a as usize].x.abs() < 0.2).collect();
+    assert!(particles.len() >= 6);
+    let set = RigidSet {
+        particles,
+        at: Vec3::new(0.0, 1.0, 3.0),
+        mass: 0.1,
+        inertia: Matrix3::identity() * 0.01,
+        holds: Vec::new(),
+    };
+    let builder = Shell::builder(parts(cloud, CELL, 0.2)).rigid(vec![set]).tools(tools());
+    let mut system = StaticShell::new(builder.build().unwrap());
+    let way: Vec<f64> = (0..system.unknowns()).map(|i| libm::sin(1.0 + 3.7 * i as f64)).collect();
+    let error = stiffness_error(&mut system, 0.7, &way, 2e-6);
+    system.evaluate(0.7);
+    assert!(system.shell().touches().iter().all(|touch| touch.greatest_depth > 0.05));
+    println!("{error:.1e}");
+    assert!(error < 1e-9, "{error:.1e}");
+}
+
 /// A quarter of a ring of radius one, from its crown to its side, of two cells across, under a plate that comes down by `down` at level one.
 fn ring(cells: usize, thickness: f64, down: f64, law: Law) -> Shell {
     let shape = Cylinder { radius: 1.0, angles: [0.0, std::f64::consts::FRAC_PI_2], length: 0.1 };
@@ -151,6 +178,27 @@ fn followed(shell: Shell) -> (StaticShell, usize) {
     });
     assert_eq!(path.end, Ok(End::Reached));
     (system, iterations)
+}
+
+/// Shells far from zero keep their places from an origin of their own, tools theirs from zero.
+#[test]
+fn a_shell_far_from_zero_meets_a_tool_that_is_as_far() {
+    let far = Vec3::new(1024.0, -512.0, 2048.0);
+    let found = [Vec3::zeros(), far].map(|by| {
+        let mut cloud = curved([7, 6]);
+        cloud.positions.iter_mut().for_each(|x| *x += by);
+        let point = Vec3::new(0.0, 0.0, 3.06) + by;
+        let tool = still(ToolShape::Plane { point, normal: Vec3::new(0.02, 0.0, -1.0) }, 400.0);
+        let builder = Shell::builder(parts(cloud, CELL, 0.2)).origin(by).tools(vec![tool]);
+        let mut shell = builder.build().unwrap();
+        let touch = shell.touch(Instant { time: 0.0, level: 1.0 })[0];
+        (touch.force, touch.greatest_depth)
+    });
+    let [(force, depth), (far, deep)] = found;
+    assert!(
+        depth > 0.2 && (far - force).norm() < 1e-9 * force.norm() && (deep - depth).abs() < 1e-9,
+        "{found:?}"
+    );
 }
 
 /// A strip of length one, clamped on top of a cylinder of mid-surface radius one, with a dead load at its tip: wrapped length a,

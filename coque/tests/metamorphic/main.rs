@@ -14,6 +14,7 @@ mod meshes;
 mod order;
 mod preload;
 mod threads;
+mod touched;
 mod turned;
 mod units;
 

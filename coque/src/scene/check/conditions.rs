@@ -109,7 +109,12 @@ fn check_held(scene: &BodyInScene<'_>, at: &str, held: &Held) -> Verdict {
 }
 
 /// A prescribed motion follows the load level, in a transient run a course that starts at zero.
-fn check_course(scene: &BodyInScene<'_>, at: &str, word: &str, amplitude: Option<&Amplitude>) -> Verdict {
+pub(super) fn check_course(
+    scene: &BodyInScene<'_>,
+    at: &str,
+    word: &str,
+    amplitude: Option<&Amplitude>,
+) -> Verdict {
     let path = format!("{at}.amplitude");
     let starts_at_rest = match amplitude {
         None => !scene.analysis.kind().passes_time,

@@ -37,7 +37,7 @@ pub fn case() -> Case {
                 the moment of the force is that of the radius. The drum bears all of the force: along it the strip has one curvature, no shear, \
                 and the clamp none. The drum stands lower by the sag of a cell.",
         citation: "inextensible elastica by shooting; the wrapped part has the radius of the drum and half of the thickness",
-        variants: vec![strip(50, 0.3).quick(), strip(50, 0.6).quick(), strip(100, 0.6)],
+        variants: vec![strip(50, 0.3), strip(50, 0.6), strip(100, 0.6)],
         headline: Some(Headline::new(OFF, 0.001)),
         ..Case::default()
     }

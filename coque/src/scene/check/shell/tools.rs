@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::scene::body_in_scene::BodyInScene;
-use crate::scene::check::amplitude::check_amplitude;
+use crate::scene::check::conditions::check_course;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
@@ -43,9 +43,13 @@ pub(in crate::scene::check) fn check_tools(
         }
         s.exactly_one(&format!("tools[{i}]"), "shape", &tool.given(), &ToolScene::SHAPES)?;
         check_shape(tool, &own)?;
-        own.sized_all("moved", &tool.moved.unwrap_or_default())?;
-        if let Some(amplitude) = &tool.amplitude {
-            check_amplitude(scene, &own.path("amplitude"), amplitude)?;
+        if let Some(moved) = &tool.moved {
+            own.sized_all("moved", moved)?;
+            check_course(scene, &s.path(&format!("tools[{i}]")), "moved", tool.amplitude.as_ref())?;
+        } else if tool.amplitude.is_some() {
+            let repair = "remove it, or add `moved`: only a tool that moves has a course in time";
+            let fault = own.fault("amplitude", "a course in time", "none of a tool that stands", repair);
+            return Err(SceneError::Choice(fault));
         }
     }
     Ok(())
