@@ -48,6 +48,12 @@ impl Page {
         self.page.add(name, &sheet(&body)?).map_err(|error| failed(py, &error))
     }
 
+    /// Names a set of points of a body.
+    fn name_set(&mut self, body: &str, name: &str, points: PyReadonlyArray1<'_, u32>) -> PyResult<()> {
+        self.page.name_set(body, name, points.as_slice()?.to_vec());
+        Ok(())
+    }
+
     /// The text of the page, of at most so many bytes; the page is empty afterwards.
     fn html(
         &mut self,

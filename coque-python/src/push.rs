@@ -5,21 +5,23 @@ use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// A function `f(t, x, v)` of Python as one that exerts forces; what it raises goes to `ends`, and the forces of the step before stay.
-pub fn exerted(function: Py<PyAny>, ends: impl Fn(PyErr) + Send + Sync + 'static) -> Exert {
+/// A function `f(t, x, v)` of Python as one that exerts forces, its `t` a time or, `by_level`, a load level; what it raises goes to `ends`,
+/// and the forces of the step before stay.
+pub fn exerted(function: Py<PyAny>, by_level: bool, ends: impl Fn(PyErr) + Send + Sync + 'static) -> Exert {
     let mut arrays: Option<[Py<PyArray2<f64>>; 2]> = None;
     let mut ended = false;
-    Box::new(move |time, positions, velocities, forces| {
+    Box::new(move |at, positions, velocities, forces| {
         if ended {
             return;
         }
+        let along = if by_level { at.level } else { at.time };
         let call = |py: Python<'_>| -> PyResult<()> {
             let room = || PyArray2::zeros(py, [positions.len(), 3], false).unbind();
             let [x, v] = arrays.get_or_insert_with(|| [room(), room()]);
             for (array, rows) in [(&*x, positions), (&*v, velocities)] {
                 array.bind(py).try_readwrite()?.as_slice_mut()?.copy_from_slice(rows.as_flattened());
             }
-            let given = function.call1(py, (time, &*x, &*v))?;
+            let given = function.call1(py, (along, &*x, &*v))?;
             let given = given.extract::<PyReadonlyArray2<'_, f64>>(py)?;
             let rows = given.as_slice()?;
             if rows.len() != 3 * forces.len() {
@@ -28,8 +30,10 @@ pub fn exerted(function: Py<PyAny>, ends: impl Fn(PyErr) + Send + Sync + 'static
                 return Err(PyValueError::new_err(message));
             }
             if let Some(at) = rows.iter().position(|force| !force.is_finite()) {
+                let name = if by_level { "level" } else { "time" };
+                let particle = at / 3;
                 let message =
-                    format!("push gave particle {} a force that is not finite, at time {time}", at / 3);
+                    format!("push gave particle {particle} a force that is not finite, at {name} {along}");
                 return Err(PyValueError::new_err(message));
             }
             forces.as_flattened_mut().copy_from_slice(rows);

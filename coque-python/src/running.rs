@@ -1,5 +1,6 @@
 //! Runs: with results in memory, into a folder, on from the checkpoint in one.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use coque::{
@@ -10,13 +11,15 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::brought::Brought;
-use crate::drawn::{Gather, Shown};
+use crate::drawn::{Gather, Shown, array};
 use crate::errors::{failed, refused};
 use crate::outcome::found;
 use crate::watched::{Watch, watched};
 
 /// Values that are replaced in a scene, with their paths.
 pub type Replaced = Vec<(String, String)>;
+
+type Sets = BTreeMap<String, BTreeMap<String, Vec<u32>>>;
 
 /// Why there is no outcome.
 pub enum Refusal {
@@ -60,6 +63,8 @@ pub struct Wanted {
 pub struct Ran {
     outcome: Outcome,
     frames: Vec<Shown>,
+    /// Sets of particles by body and name.
+    sets: Sets,
     /// What is said beside the warnings of the scene.
     said: Vec<String>,
 }
@@ -76,10 +81,12 @@ pub fn ran(
     let Wanted { threads, fields, out, push } = wanted;
     let mut model = scene.build(threads)?;
     if let Some(function) = push {
-        model.push(watch.exert(function)).map_err(|error| error.to_string())?;
+        let by_level = !model.task.analysis.kind().passes_time;
+        model.push(watch.exert(function, by_level)).map_err(|error| error.to_string())?;
     }
     watch.said.extend(model.memory.warning());
     let asked = model.task.output.fields;
+    let sets = chosen(&model.sets);
     let keep = fields.unwrap_or(asked.is_some());
     let stresses = asked.is_some_and(|asked| asked.stresses);
     let mut gather =
@@ -99,7 +106,14 @@ pub fn ran(
         }
     };
     let frames = gather.map_or_else(Vec::new, |gather| gather.frames);
-    Ok(Ran { outcome, frames, said: std::mem::take(&mut watch.said) })
+    Ok(Ran { outcome, frames, sets, said: std::mem::take(&mut watch.said) })
+}
+
+/// Sets other than that of all particles, as they stand beside the frames of a folder.
+fn chosen(sets: &Sets) -> Sets {
+    let mut sets = sets.clone();
+    sets.values_mut().for_each(|own| drop(own.remove("all")));
+    sets
 }
 
 /// The same as `coque run` does with a folder.
@@ -139,9 +153,23 @@ pub fn reported(
         frames.append(frame.into_python(py)?)?;
     }
     found.set_item("frames", frames)?;
+    found.set_item("sets", sets_of(py, ran.sets)?)?;
     found.set_item("said", ran.said)?;
     found.set_item("raised", raised.map(|raised| raised.into_value(py)))?;
     Ok(found)
+}
+
+/// `{body: {set: array}}`.
+fn sets_of(py: Python<'_>, sets: Sets) -> PyResult<Bound<'_, PyDict>> {
+    let bodies = PyDict::new(py);
+    for (body, own) in sets {
+        let arrays = PyDict::new(py);
+        for (name, particles) in own {
+            arrays.set_item(name, array(py, particles, 1)?)?;
+        }
+        bodies.set_item(body, arrays)?;
+    }
+    Ok(bodies)
 }
 
 /// Goes on with the run in a folder from its checkpoint; threads as before where no number is given.
@@ -167,8 +195,9 @@ pub fn resume<'py>(
         let scene = coque::Scene::with_overrides(&text, &origin.file, &origin.replaced)?;
         let model = brought.into_scene(scene)?.build(origin.threads)?;
         watch.said.extend(model.memory.warning());
+        let sets = chosen(&model.sets);
         let outcome = kept(model, &taken, origin, Some(checkpoint), None, watch)?;
-        Ok(Ran { outcome, frames: Vec::new(), said: std::mem::take(&mut watch.said) })
+        Ok(Ran { outcome, frames: Vec::new(), sets, said: std::mem::take(&mut watch.said) })
     };
     let (ran, raised) = watched(py, listener, work)?;
     reported(py, ran, raised)

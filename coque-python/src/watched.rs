@@ -44,10 +44,10 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// A function of Python as one that exerts forces; what it raises ends the work.
-    pub fn exert(&self, function: Py<PyAny>) -> Exert {
+    /// A function of Python, of times or of load levels, as one that exerts forces; what it raises ends the work.
+    pub fn exert(&self, function: Py<PyAny>, by_level: bool) -> Exert {
         let shared = self.shared.clone();
-        exerted(function, move |error| {
+        exerted(function, by_level, move |error| {
             *shared.raised.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
             shared.stop.store(true, Ordering::Relaxed);
         })

@@ -68,6 +68,32 @@ def test_a_thickness_by_particle() -> None:
         tip({"thickness": 1.0, "values": "t"}, arrays={"t": -thickness})
 
 
+def test_a_modulus_by_particle() -> None:
+    def tip(**brought: Any) -> float:
+        elastic = {"young": 1.2e6, "poisson": 0.0, "density": 1.0, **brought.pop("elastic", {})}
+        return float(coque.Scene(cantilever(material={"elastic": elastic}), **brought).run().curve["w_tip"][0])
+
+    def by(numbers: Any) -> float:
+        return tip(elastic={"young-values": "e"}, arrays={"e": numbers})
+
+    along = coque.Scene(cantilever()).points()[:, 0]
+    even = tip()
+    # One section in every cell in place of one for all.
+    assert by(np.ones(63)) == pytest.approx(even, rel=1e-12)
+    assert by(np.full(63, 0.5)) == pytest.approx(2.0 * even, rel=1e-10)
+    # E = E₀/(1 + x/L): ∫(L − x)²(1 + x/L) dx is 5/4 of ∫(L − x)² dx.
+    assert by(1.0 / (1.0 + along / 10.0)) == pytest.approx(1.25 * even, rel=1e-3)
+    with pytest.raises(coque.SceneError, match="positive in every cell") as caught:
+        by(-np.ones(63))
+    assert caught.value.key == "material.elastic.young-values"
+    block = {"block": {"lengths": [1.0, 0.2], "spacing": 0.05, "thickness": 0.1}}
+    material = {"elastic": {"young": 1.0, "young-values": "e", "poisson": 0.3333, "density": 1.0}}
+    formulation = {"bond-based": {"horizon": 3.015, "plane": "stress"}}
+    solid = {"title": "A bar", "units": {"length": "m", "force": "N", "time": "s"}, "analysis": {"linear": {}}}
+    with pytest.raises(coque.SceneError, match="one `young` for a solid"):
+        coque.Scene({**solid, "bodies": {"bar": {"solid": {"geometry": block, "material": material, "formulation": formulation}}}})
+
+
 def test_what_is_no_array_of_the_particles_is_refused() -> None:
     for arrays, says in [
         ({}, "no array in memory"),

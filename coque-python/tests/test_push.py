@@ -59,6 +59,28 @@ def test_it_sees_times_places_and_velocities_and_its_work_is_counted() -> None:
     assert abs(curve["kinetic"][-1] + curve["internal"][-1] - turned) < 1e-3 * turned
 
 
+def test_in_a_quasi_static_run_it_sees_the_level_and_what_it_lifts_comes_to_rest() -> None:
+    scene = marched(analysis={"explicit": {"quasi-static": {"levels": 2}}})
+    rest = scene.points()
+    corner = int(np.argmax(rest @ [1.0, 1.0, 0.0]))
+    seen = []
+
+    def push(level: float, x: Rows, v: Rows) -> Rows:
+        seen.append(level)
+        forces = np.zeros_like(x)
+        # A load that a spring takes part of: force and stiffness of one size at the tip.
+        forces[corner, 2] = 0.02 * level - 0.04 * (x[corner, 2] - rest[corner, 2])
+        return forces
+
+    spring = {"on": "corner", "spring": {"direction": [0.0, 0.0, 1.0], "stiffness": 0.04}}
+    result = scene.run(push=push)
+    load = {"on": "corner", "force": {"total": [0.0, 0.0, 0.02]}}
+    loaded = marched(analysis={"static": {"levels": 2}}, sets={"corner": {"nearest": [10.0, 1.0, 0.0]}}, loads=[load])
+    exact = loaded.with_({"supports[+]": spring}).run()
+    assert min(seen) == 0.0 and max(seen) == 1.0
+    assert result.curve["w_tip"][-2:] == pytest.approx(exact.curve["w_tip"][-2:], rel=1e-3)
+
+
 def test_solids_are_pushed_too() -> None:
     block: dict[str, Any] = {
         "title": "A bar of bonds",
@@ -113,7 +135,7 @@ def test_there_is_none_without_time_nor_on_several_bodies(scenes: Path) -> None:
     def push(time: float, x: Rows, v: Rows) -> Rows:
         raise AssertionError("never called")
 
-    with pytest.raises(coque.CoqueError, match="only where time passes, in analysis.explicit.transient, not in a linear analysis"):
+    with pytest.raises(coque.CoqueError, match="in marches only, in analysis.explicit.transient .* not in a linear analysis"):
         coque.Scene(cantilever()).run(push=push)
     with pytest.raises(coque.CoqueError, match="alone in its scene"):
         coque.Scene(scenes / "dam-break.toml").run(push=push)

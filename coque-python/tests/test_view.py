@@ -8,6 +8,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from conftest import cantilever
 
@@ -27,12 +28,18 @@ def test_a_page_from_memory_is_that_of_the_folder(tmp_path: Path) -> None:
     memory = head(scene.run(out=tmp_path / "out").view().page)
     folder = head(coque.load(tmp_path / "out").view().page)
     assert len(memory["frames"]) == 4 and [body["name"] for body in memory["bodies"]] == ["shell"]
-    # The folder has sets beside its frames, and the copy of the scene what was replaced.
-    for one in (memory, folder):
-        del one["scene"]
-        for body in one["bodies"]:
-            del body["sets"]
-    assert memory == folder
+    # The copy of the scene has what was replaced.
+    del memory["scene"], folder["scene"]
+    assert memory == folder and "u1" in dict(memory["bodies"][0]["sets"])
+
+
+def test_sets_are_numbers_of_points(tmp_path: Path) -> None:
+    scene = coque.Scene(cantilever(sets={"tip": {"nearest": [10.0, 1.0, 0.0]}}))
+    result = scene.run(fields=True)
+    tip = result.sets["shell"]["tip"]
+    assert np.array_equal(scene.points()[tip], [[10.0, 1.0, 0.0]]) and "all" not in result.sets["shell"]
+    scene.with_({"output.fields": {}}).run(out=tmp_path / "out")
+    assert np.array_equal(coque.load(tmp_path / "out").sets["shell"]["tip"], tip)
 
 
 @pytest.mark.filterwarnings("ignore::coque.CoqueWarning")

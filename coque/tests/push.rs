@@ -55,6 +55,18 @@ fn a_force_by_a_function_has_the_bits_of_the_scene() {
 fn there_is_none_without_time() {
     let push = |analysis: &str| strip(LOAD, analysis, 1).push(Box::new(|_, _, _, _| {})).unwrap_err();
     assert_eq!(push("linear = {}"), NoPush::Timeless("a linear analysis"));
+    assert_eq!(push("static = {}"), NoPush::Timeless("a static analysis"));
+}
+
+#[test]
+fn a_force_that_grows_with_the_level_has_the_bits_of_the_scene() {
     let path = "explicit.quasi-static = { levels = 2, ramp = 1.0 }";
-    assert_eq!(push(path), NoPush::Timeless("a quasi-static run"));
+    let by_scene = strip(LOAD, path, 1).run(&mut Silent);
+    let model = strip("", path, 1);
+    let rest = model.body.body().configuration().rest.to_vec();
+    let corner = rest.iter().position(|x| x.x > 9.9 && x.y > 0.9).unwrap();
+    let exert: Exert =
+        Box::new(move |at, _, _, forces| forces[corner] = [0.0, 0.01, 0.1].map(|f| f * at.level));
+    assert_eq!(pushed(model, exert).curve.rows, by_scene.curve.rows);
+    assert!(by_scene.curve.rows.last().unwrap().last().unwrap().abs() > 1e-3);
 }

@@ -49,6 +49,15 @@ fn a_column_is_written_in_the_unit_that_it_names() {
         let (written, own) = (last(&named, name), last(&plain, name));
         assert!((written / (per * own) - 1.0).abs() < 1e-15, "{name}: {written} for {own}");
     }
+    // A ratio: the number as the factor makes it, without a unit.
+    let ratio = [("units", UNITS), ("curve.6.unit", "\"-\""), ("curve.6.factor", "0.25")];
+    let ratio =
+        ran(overridden(PLATE, "plate.toml", &[&[("analysis", "{ linear = {} }")], &ratio[..]].concat()));
+    let of_plain = plain.curve.columns.iter().position(|c| c.name == "min").unwrap();
+    assert_eq!(ratio.curve.columns[of_plain].title(), "min [-]");
+    let bare = [("units", UNITS), ("curve.7.unit", "\"-\"")];
+    let refused = overridden(PLATE, "plate.toml", &bare).unwrap_err().to_string();
+    assert!(refused.contains("beside a `factor`"), "{refused}");
     let refused = overridden(PLATE, "plate.toml", &[("curve.6.unit", "\"mm\"")]).unwrap_err().to_string();
     assert!(refused.contains("the scene has no units"), "{refused}");
 }

@@ -289,7 +289,7 @@ impl Solid {
         }
         if let Some(push) = &mut self.push {
             let (rows, rates) = (&self.rows, &self.rates);
-            let forces = push.forces(at.time, |a| [vector(&rows[a]).into(), vector(&rates[a]).into()]);
+            let forces = push.forces(at, |a| [vector(&rows[a]).into(), vector(&rates[a]).into()]);
             for (sum, force) in self.external.iter_mut().zip(forces) {
                 *sum += Vec3::from(*force);
             }

@@ -130,11 +130,11 @@ impl Loading {
             return;
         }
         dependents.ties.put(&mut motion.state);
-        let time = match part {
-            Part::Whole(at) => Some(at.time),
+        let now = match part {
+            Part::Whole(at) => Some(at),
             Part::Rate { .. } => None,
         };
-        self.evaluate_bodies(time.is_some(), &scale, reference, &mut dependents.junctions, &motion.state);
+        self.evaluate_bodies(now.is_some(), &scale, reference, &mut dependents.junctions, &motion.state);
         let Self { loads, case, springs, tools, wetted, push, external, spring_forces } = self;
         let body = dependents.loaded(reference, &motion.state);
         external.fill([0.0; 6]);
@@ -144,14 +144,14 @@ impl Loading {
         if let Some(surface) = wetted {
             surface.add(&motion.rates, external);
         }
-        if let (Some(push), Some(time)) = (push, time) {
+        if let (Some(push), Some(now)) = (push, now) {
             let vector = |row: &Row| [row[0], row[1], row[2]];
             let of = |a: usize| [reference.from_zero(motion.place(a)).into(), vector(&motion.rates[a])];
-            for (sum, force) in external.iter_mut().zip(push.forces(time, of)) {
+            for (sum, force) in external.iter_mut().zip(push.forces(now, of)) {
                 (0..3).for_each(|k| sum[k] += force[k]);
             }
         }
-        if time.is_some() && !spring_forces.is_empty() {
+        if now.is_some() && !spring_forces.is_empty() {
             springs.forces(&body, spring_forces);
             for (sum, row) in external.iter_mut().zip(&*spring_forces) {
                 (0..6).for_each(|k| sum[k] += row[k]);

@@ -59,7 +59,7 @@ if TYPE_CHECKING:
     Disc = TypedDict("Disc", {"centre": Sequence[float], "radius": float, "spacing": float})
     Disorder = TypedDict("Disorder", {"fraction": float, "seed": int})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]
-    Elastic = TypedDict("Elastic", {"density": float, "poisson": float, "young": float})
+    Elastic = TypedDict("Elastic", {"density": float, "poisson": float, "young": float, "young-values": NotRequired[str]})
     ErrorBars: TypeAlias = Mapping[str, Any]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[float], "transient": NotRequired["Transient"]})
     Fields = TypedDict("Fields", {"every": NotRequired[int], "extruded": NotRequired[bool], "points": NotRequired[bool], "stresses": NotRequired[bool]})

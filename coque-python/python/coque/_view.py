@@ -53,6 +53,9 @@ def page(result: Result, size: float) -> str:
         made.begin(frame.along)
         for name, body in frame.bodies.items():
             made.add(name, _arrays(body))
+    for name, sets in result.sets.items():
+        for set_name, points in sets.items():
+            made.name_set(name, set_name, _flat(points, np.uint32))
     curve = result.curve
     return made.html(result._scene, json.dumps(result.summary), (list(curve.units.items()), curve.rows), most)
 

@@ -188,6 +188,8 @@ class Result:
     """The same in words."""
     warnings: list[CoqueWarning]
     """What may be wrong with its numbers."""
+    sets: dict[str, dict[str, NDArray[np.uint32]]] = field(repr=False)
+    """Sets by body and name: the numbers of their particles among the points of a frame. Of a folder, those beside its frames."""
     frames: Sequence[Frame] = field(repr=False)
     """States on the way: those of [output.fields], or those that `fields=True` asked for."""
     _scene: str = field(default="", repr=False)
@@ -226,6 +228,7 @@ class Result:
             ended=found["ended"],
             message=found["message"],
             warnings=[*map(_warning, found["warnings"]), *said],
+            sets=found.get("sets", {}),
             frames=[Frame._of(shown) for shown in found.get("frames", [])],
             _scene=scene,
             _folder=folder,
@@ -256,7 +259,15 @@ def load(folder: Union[str, Path]) -> Result:
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise CoqueError(f"{folder} holds no results of a run that has ended: {error}") from error
     kind = "done" if ended == "done" else "interrupted" if ended.startswith("interrupted") else "diverged"
-    return Result(Curve(columns, numbers), summary, kind, ended, said, _files(folder / "fields", names), _folder=folder)
+    fields = folder / "fields"
+    return Result(Curve(columns, numbers), summary, kind, ended, said, _sets(fields), _files(fields, names), _folder=folder)
+
+
+def _sets(folder: Path) -> dict[str, dict[str, NDArray[np.uint32]]]:
+    """Sets beside the frames of a folder; none where there are no frames."""
+    path = folder / "sets.json"
+    bodies = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+    return {body: {name: np.array(own, dtype=np.uint32) for name, own in sets.items()} for body, sets in bodies.items()}
 
 
 def _files(folder: Path, names: list[str]) -> _Files:

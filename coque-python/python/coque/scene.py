@@ -37,7 +37,7 @@ _MOST_THREADS = 1024
 
 _Rows = NDArray[np.float64]
 Push = Callable[[float, _Rows, _Rows], Any]
-"""A function of time, positions and velocities that gives an array of a force on each particle."""
+"""A function of time, or of the level of a quasi-static run, positions and velocities that gives an array of a force on each particle."""
 
 
 class Progress(NamedTuple):
@@ -182,8 +182,8 @@ class Scene:
         `progress` shows a line on the standard error, or is called with a `Progress` some twenty times a second and ends the run by `False`.
         `fields` keeps frames in memory: `True` each, or every n-th as [output.fields] says, `False` none, nothing as the scene asks. `out` is a
         folder for what `coque run` writes. `push(t, x, v)` is called in every step with the time, all positions and all velocities, those of
-        half a step before, and gives an array of a force on each particle; `x` and `v` are good for the call only. It is for a shell or a
-        solid alone in `explicit.transient`, and such a run keeps no checkpoint. `on_fail="return"` gives the result of a run that diverged in place of `Diverged`.
+        half a step before, and gives an array of a force on each particle; `x` and `v` are good for the call only. In `explicit.quasi-static`
+        its `t` is the load level. It is for a shell or a solid alone in a march, and such a run keeps no checkpoint. `on_fail="return"` gives the result of a run that diverged in place of `Diverged`.
 
         Raises `SceneError`, `Diverged`, `Interrupted` at Ctrl-C, `CoqueError` for a folder that cannot be written; what a callback raises, with
         what was found so far in its `result`.

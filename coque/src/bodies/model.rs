@@ -46,7 +46,7 @@ pub struct Model {
     pub description: Description,
     /// What a run will need, and what there is.
     pub memory: Memory,
-    /// Particles by name of their set, of each body that has sets, where the scene asks for fields; a body alone in its scene goes by its
+    /// Particles by name of their set, of each body that has sets; a body alone in its scene goes by its
     /// kind.
     pub sets: BTreeMap<String, BTreeMap<String, Vec<u32>>>,
     pub(crate) identity: Identity,
@@ -63,9 +63,9 @@ pub struct Model {
 /// Why no function can exert forces on a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoPush {
-    /// Its analysis has loads of its scene only.
+    /// Its analysis does not march.
     #[error(
-        "a function exerts forces only where time passes, in analysis.explicit.transient, not in {0}; \
+        "a function exerts forces in marches only, in analysis.explicit.transient and analysis.explicit.quasi-static, not in {0}; \
          give the scene a load in its place"
     )]
     Timeless(&'static str),
@@ -116,13 +116,10 @@ impl Model {
     /// checkpoint: what the function remembers is not its own.
     ///
     /// # Errors
-    /// [`NoPush`] of an analysis in which no time passes, and of bodies other than a shell or a solid alone.
+    /// [`NoPush`] of an analysis that does not march, and of bodies other than a shell or a solid alone.
     pub fn push(&mut self, exert: Exert) -> Result<(), NoPush> {
         let kind = self.task.analysis.kind();
         let Ready::Dynamic(body) = &mut self.body else { return Err(NoPush::Timeless(kind.name)) };
-        if !kind.passes_time {
-            return Err(NoPush::Timeless(kind.name));
-        }
         body.push(exert).map_err(|_| NoPush::Body(self.description.kind))?;
         self.task.output.checkpoint_every = None;
         self.description.left_out.retain(|line| line != "loads");

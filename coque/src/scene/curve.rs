@@ -33,7 +33,8 @@ pub struct Probe {
     /// Factor on the value, such as 4 for the reaction of a quarter model.
     #[serde(default = "one")]
     pub factor: f64,
-    /// Unit in which the column is written, such as `mm`, `kN` or `MPa`; left out, that of the scene. Values are converted.
+    /// Unit in which the column is written, such as `mm`, `kN` or `MPa`; left out, that of the scene. Values are converted. `-` beside a factor
+    /// that divides by a quantity of the same kind: a ratio.
     pub unit: Option<String>,
 }
 

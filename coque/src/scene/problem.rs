@@ -144,7 +144,11 @@ impl Scene {
 
     /// The unit that a column names; none if it names none that fits.
     pub(crate) fn unit_of(&self, column: &Probe) -> Option<ColumnUnit> {
-        ColumnUnit::named(column.unit.as_ref()?, self.quantity(column.of), &self.units)
+        let unit = column.unit.as_ref()?;
+        if unit == "-" && column.factor != 1.0 {
+            return Some(ColumnUnit { symbol: unit.clone(), factor: 1.0 });
+        }
+        ColumnUnit::named(unit, self.quantity(column.of), &self.units)
     }
 
     /// The fluid with its name, of whatever other bodies there are.

@@ -58,8 +58,8 @@ fn frames(folder: &Path) -> Result<RunPage, String> {
             page.add(name, &read(&frames[number].1)?)?;
         }
     }
-    for (body, sets) in sets(folder) {
-        page.name_sets(&body, sets);
+    for (body, own) in sets(folder) {
+        own.into_iter().for_each(|(name, points)| page.name_set(&body, &name, points));
     }
     Ok(page)
 }

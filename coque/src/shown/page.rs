@@ -1,7 +1,5 @@
 //! The page of a run, put together from its frames one after the other, wherever they come from.
 
-use std::collections::BTreeMap;
-
 use serde_json::Value;
 use viewer::{Body, Column, Instant, Show};
 
@@ -55,10 +53,10 @@ impl RunPage {
         body.add(sheet).map_err(|e| format!("{e}\n"))
     }
 
-    /// Names sets of points of a body.
-    pub fn name_sets(&mut self, body: &str, sets: BTreeMap<String, Vec<u32>>) {
+    /// Names a set of points of a body that is in the first frame.
+    pub fn name_set(&mut self, body: &str, name: &str, points: Vec<u32>) {
         if let Some(body) = self.bodies.iter_mut().find(|known| known.name == body) {
-            body.sets = sets;
+            body.sets.insert(name.to_owned(), points);
         }
     }
 

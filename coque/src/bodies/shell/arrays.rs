@@ -1,10 +1,12 @@
 //! Numbers by particle that a scene calls by the name of an array in memory.
 
+use sph_core::Cloud;
+
 use super::build::Builder;
 use crate::scene::body_in_scene::OnSet;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
-use crate::scene::{Load, Scene};
+use crate::scene::{Elastic, Load, Scene};
 
 /// The numbers that a key calls by their name, one for each of so many particles.
 ///
@@ -33,7 +35,41 @@ pub(super) fn by_particle<'a>(
     }
 }
 
+/// The mean over the corners of each of some cells.
+pub(super) fn by_cell(numbers: &[f64], cells: &[u32], cloud: &Cloud) -> Vec<f64> {
+    let mean = |&cell: &u32| {
+        let corners = cloud.cells[cell as usize].particles();
+        corners.iter().map(|&corner| numbers[corner as usize]).sum::<f64>() / corners.len() as f64
+    };
+    cells.iter().map(mean).collect()
+}
+
 impl Builder<'_> {
+    /// Young's modulus of each of some cells \[F/L²\].
+    ///
+    /// # Errors
+    /// [`SceneError`] for an array that does not belong to the particles, and for moduli that are not positive.
+    pub(super) fn young(
+        &self,
+        elastic: &Elastic,
+        at: &Scope<'_>,
+        cells: &[u32],
+        cloud: &Cloud,
+    ) -> Result<Vec<f64>, SceneError> {
+        const VALUES: &str = "material.elastic.young-values";
+        let own = elastic.young.get();
+        let Some(name) = &elastic.young_values else { return Ok(vec![own; cells.len()]) };
+        let factors = by_particle(self.scene.scene, at, VALUES, name, cloud.len())?;
+        let all: Vec<f64> = by_cell(factors, cells, cloud).into_iter().map(|factor| own * factor).collect();
+        match cells.iter().zip(&all).find(|(_, young)| !(**young > 0.0 && young.is_finite())) {
+            None => Ok(all),
+            Some((cell, young)) => {
+                let value = format!("a modulus of {young:.4e} in cell {cell}");
+                Err(at.value(VALUES, value, "positive in every cell", "correct the array"))
+            }
+        }
+    }
+
     /// What multiplies a load at each particle, where its scene says so.
     pub(super) fn factors(&self, load: &OnSet<'_, Load>, particles: usize) -> Result<Vec<f64>, SceneError> {
         let Some(name) = load.pressure.as_ref().and_then(|pressure| pressure.values.as_ref()) else {

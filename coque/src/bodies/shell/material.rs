@@ -43,12 +43,9 @@ impl SectionSpec {
         }
     }
 
-    /// The same isotropic material through another thickness; plies keep theirs.
-    pub fn with_thickness(&self, thickness: f64) -> Self {
-        match self {
-            Self::Isotropic(material, _, points) => Self::Isotropic(*material, thickness, *points),
-            Self::Layered(_) => self.clone(),
-        }
+    /// Young's modulus \[F/L²\] of one that is isotropic.
+    pub fn young(&self) -> Option<f64> {
+        if let Self::Isotropic(material, ..) = self { Some(material.young) } else { None }
     }
 
     /// The section, of numbers that have been checked.

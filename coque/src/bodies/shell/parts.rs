@@ -134,7 +134,7 @@ impl Builder<'_> {
         Ok(own)
     }
 
-    /// The cells of a part, grouped by thickness and material.
+    /// The cells of a part, grouped by thickness and material; one by one where either goes with the place.
     fn uniform(
         &self,
         shell: &ShellScene,
@@ -148,19 +148,21 @@ impl Builder<'_> {
         let strain = self.strain(shell, at)?;
         match shell.material_section(at)? {
             MaterialSection::OfFile(..) => self.alike_in_file(shell, at, &cells, imported),
-            MaterialSection::Homogeneous(_, section) if section.varies() => {
-                let spec = self.spec(shell, at)?;
+            MaterialSection::Homogeneous(elastic, section)
+                if section.varies() || elastic.young_values.is_some() =>
+            {
                 let thickness = self.thicknesses(section, at, &cells, cloud)?;
-                let one = |(cell, thickness): (u32, f64)| UniformPart {
-                    group: None,
-                    cells: vec![cell],
-                    spec: spec.with_thickness(thickness),
-                    density,
-                    height: 0.0,
-                    axis,
-                    strain,
+                let young = self.young(elastic, at, &cells, cloud)?;
+                let points = section.gauss_points.as_deref().copied();
+                let one = |(cell, (thickness, young)): (u32, (f64, f64))| {
+                    let spec =
+                        SectionSpec::isotropic([young, elastic.poisson], thickness, points).map_err(|e| {
+                            model_error(self.scene.source, &at.path("material.elastic"), &e.to_string())
+                        })?;
+                    let cells = vec![cell];
+                    Ok(UniformPart { group: None, cells, spec, density, height: 0.0, axis, strain })
                 };
-                Ok(cells.into_iter().zip(thickness).map(one).collect())
+                cells.iter().copied().zip(thickness.into_iter().zip(young)).map(one).collect()
             }
             _ => {
                 let spec = self.spec(shell, at)?;
@@ -246,9 +248,14 @@ fn described(name: &str, offset: f64, all: &[UniformPart]) -> Vec<String> {
 fn line(name: &str, offset: f64, all: &[UniformPart]) -> String {
     let count: usize = all.iter().map(|uniform| uniform.cells.len()).sum();
     let cells = if count == 1 { "1 cell".to_string() } else { format!("{count} cells") };
-    let thickness = all.iter().map(|uniform| uniform.spec.thickness());
-    let [least, most] = [thickness.clone().fold(f64::INFINITY, f64::min), thickness.fold(0.0, f64::max)];
+    let range = |numbers: &mut dyn Iterator<Item = f64>| {
+        numbers.fold([f64::INFINITY, 0.0], |[least, most], t| [least.min(t), f64::max(most, t)])
+    };
+    let [least, most] = range(&mut all.iter().map(|uniform| uniform.spec.thickness()));
     let thickness = if least == most { format!("{least}") } else { format!("{least:.4e} to {most:.4e}") };
+    let [least, most] = range(&mut all.iter().filter_map(|uniform| uniform.spec.young()));
+    let young =
+        if least < most { format!(", Young's modulus {least:.4e} to {most:.4e}") } else { String::new() };
     let offset = if offset == 0.0 { String::new() } else { format!(", offset {offset}") };
-    format!("part {name}: {cells}, thickness {thickness}{offset}")
+    format!("part {name}: {cells}, thickness {thickness}{young}{offset}")
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use sph_core::{CellList, Cloud, Vec3};
 
-use super::arrays::by_particle;
+use super::arrays::{by_cell, by_particle};
 use super::build::Builder;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
@@ -37,12 +37,8 @@ impl Builder<'_> {
         let (key, repair, all) = match (&section.taper, &section.table, &section.values) {
             (_, _, Some(name)) => {
                 let factors = by_particle(self.scene.scene, at, VALUES, name, cloud.len())?;
-                let mean = |&cell: &u32| {
-                    let corners = cloud.cells[cell as usize].particles();
-                    let sum: f64 = corners.iter().map(|&corner| factors[corner as usize]).sum();
-                    own * (sum / corners.len() as f64)
-                };
-                (VALUES, "correct the array", cells.iter().map(mean).collect())
+                let all = by_cell(factors, cells, cloud).into_iter().map(|factor| own * factor).collect();
+                (VALUES, "correct the array", all)
             }
             (_, Some(table), None) => {
                 let parts = self.table(table, at)?.parts(cells, cloud);

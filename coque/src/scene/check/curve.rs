@@ -125,6 +125,10 @@ fn check_unit(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     let bare = scene.scene.units.length == Length::None;
     let (bound, repair) = match bare {
         true => ("none: the scene has no units".into(), "remove `unit`, or give the scene units"),
+        false if unit == "-" => (
+            "a unit, or \"-\" beside a `factor` that makes the column a ratio".into(),
+            "give the factor, or remove `unit`",
+        ),
         false => {
             let fitting = ColumnUnit::fitting(scene.scene.quantity(probe.of));
             (format!("a unit of {}: {fitting}", probe.of.word()), "write one of these")

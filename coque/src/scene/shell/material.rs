@@ -48,6 +48,9 @@ impl Material {
 pub struct Elastic {
     /// Young's modulus \[F/L²\].
     pub young: Positive,
+    /// Name of an array in memory with a number for each particle of a shell: in a cell Young's modulus is the mean of its corners' times
+    /// `young`. Python brings such arrays.
+    pub young_values: Option<String>,
     /// Poisson's ratio \[–\].
     pub poisson: f64,
     /// Mass per volume \[F T²/L⁴\].

@@ -44,6 +44,11 @@ impl ShellScene {
     }
 
     fn check_elastic(&self, elastic: &Elastic, s: &Scope<'_>) -> Verdict {
+        if elastic.young_values.is_some() && matches!(self.section, Section::File(_)) {
+            let (value, bound) = ("numbers by particle", "none beside [section.file]");
+            let repair = "remove it, or give [section.homogeneous]";
+            return Err(SceneError::Choice(s.fault("material.elastic.young-values", value, bound, repair)));
+        }
         let repair =
             "ν = 0.5 is incompressible and has no plane-stress limit here; most solids have 0.2 to 0.4";
         s.between("material.elastic.poisson", elastic.poisson, [-1.0, 0.5], repair)

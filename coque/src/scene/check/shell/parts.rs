@@ -8,19 +8,24 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
-use crate::scene::shell::material::Section;
+use crate::scene::shell::material::{Material, Section};
 use crate::scene::shell::parts::{LumpedMass, PartFormulation, ShellTie};
 
 impl ShellScene {
     /// Whether sections may differ from cell to cell.
     pub(crate) fn has_parts(&self) -> bool {
         let tapered = matches!(&self.section, Section::Homogeneous(section) if section.varies());
-        tapered || !self.parts.is_empty() || self.takes_from_file()
+        tapered || self.young_varies() || !self.parts.is_empty() || self.takes_from_file()
     }
 
     /// Whether material or section stand in the file of the mesh.
     pub(crate) fn takes_from_file(&self) -> bool {
         self.material.density().is_none() || self.section.thickness().is_none()
+    }
+
+    /// Whether Young's modulus differs from cell to cell.
+    fn young_varies(&self) -> bool {
+        matches!(&self.material, Material::Elastic(elastic) if elastic.young_values.is_some())
     }
 
     /// Key of what makes sections differ, of the first.
@@ -29,6 +34,8 @@ impl ShellScene {
             "parts[0]"
         } else if self.takes_from_file() {
             if self.section.thickness().is_none() { "section.file" } else { "material.file" }
+        } else if self.young_varies() {
+            "material.elastic.young-values"
         } else {
             match &self.section {
                 Section::Homogeneous(section) if section.values.is_some() => "section.homogeneous.values",

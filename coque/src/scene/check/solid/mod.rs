@@ -17,6 +17,11 @@ impl SolidScene {
     /// Refuses the first of its own keys that is out of bounds.
     pub(super) fn check(&self, s: &Scope<'_>) -> Verdict {
         self.check_geometry(s)?;
+        if self.material.elastic().is_some_and(|elastic| elastic.young_values.is_some()) {
+            let (value, bound) = ("numbers by particle", "one `young` for a solid");
+            let repair = "remove it, or divide the solid into parts";
+            return Err(SceneError::Choice(s.fault("material.elastic.young-values", value, bound, repair)));
+        }
         if let Some(galerkin) = self.galerkin() {
             return self.check_galerkin(galerkin, s);
         }
