@@ -5,8 +5,8 @@ class Card {
     this.gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true, alpha: false });
     if (!this.gl) return;
     const gl = this.gl;
-    this.programs = { faces: this.program("faces", true), discs: this.program("discs", true),
-      spheres: this.program("discs", true, "SPHERES"), lines: this.program("lines", false) };
+    this.begun = {};
+    this.programs = {};
     this.colours = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.colours);
     for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.LINEAR);
@@ -15,19 +15,29 @@ class Card {
     gl.depthFunc(gl.LEQUAL);
   }
 
-  program(name, coloured, defined = null) {
-    const gl = this.gl, made = gl.createProgram();
-    const first = "#version 300 es\nprecision highp float;\nprecision highp int;\n" + (defined ? `#define ${defined}\n` : "");
-    for (const [kind, end] of [[gl.VERTEX_SHADER, "vert"], [gl.FRAGMENT_SHADER, "frag"]]) {
+  /** Begins to make a program. The card works on it while the page goes on, for as long as nobody asks how it went. */
+  begin(name) {
+    const gl = this.gl, made = gl.createProgram(), file = name === "spheres" ? "discs" : name;
+    const first = "#version 300 es\nprecision highp float;\nprecision highp int;\n" + (name === "spheres" ? "#define SPHERES\n" : "");
+    const shaders = [[gl.VERTEX_SHADER, "vert"], [gl.FRAGMENT_SHADER, "frag"]].map(([kind, end]) => {
       const shader = gl.createShader(kind);
-      const colour = coloured && end === "frag" ? byId("colour.glsl").textContent : "";
-      gl.shaderSource(shader, first + colour + byId(`${name}.${end}`).textContent);
+      const colour = file !== "lines" && end === "frag" ? byId("colour.glsl").textContent : "";
+      gl.shaderSource(shader, first + colour + byId(`${file}.${end}`).textContent);
       gl.compileShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(`${name}.${end}: ${gl.getShaderInfoLog(shader)}`);
       gl.attachShader(made, shader);
-    }
+      return shader;
+    });
     gl.linkProgram(made);
-    if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error(`${name}: ${gl.getProgramInfoLog(made)}`);
+    this.begun[name] = { made, shaders };
+  }
+
+  /** A program with the places of what it is given; made where it was not begun. */
+  program(name) {
+    if (!this.begun[name]) this.begin(name);
+    const gl = this.gl, { made, shaders } = this.begun[name];
+    if (!gl.getProgramParameter(made, gl.LINK_STATUS)) {
+      throw new Error(`${name}: ${[...shaders.map(shader => gl.getShaderInfoLog(shader)), gl.getProgramInfoLog(made)].join(" ")}`);
+    }
     const places = { made, uniforms: {}, attributes: {} };
     for (let i = 0; i < gl.getProgramParameter(made, gl.ACTIVE_UNIFORMS); i++) {
       const { name } = gl.getActiveUniform(made, i);
@@ -48,7 +58,7 @@ class Card {
 
   /** Begins to draw with a program; gives the places of its uniforms. */
   use(name) {
-    this.now = this.programs[name];
+    this.now = this.programs[name] ??= this.program(name);
     this.gl.useProgram(this.now.made);
     return this.now.uniforms;
   }

@@ -304,6 +304,8 @@ async function begin() {
   if (fault) return say(fault);
   view.card = new Card(byId("shape"));
   if (!view.card.gl) return say("This browser draws no WebGL 2.");
+  if (head.bodies.some(body => body.face_count > 0)) view.card.begin("faces");
+  view.card.begin("lines");
   view.shapes = head.bodies.map((body, number) => new Shape(body, number));
   view.choices = choicesOf(view.shapes);
   const last = head.frames.length - 1;
