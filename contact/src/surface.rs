@@ -21,8 +21,10 @@ impl Vertex {
 
     /// Where it is.
     pub fn place(&self, at: impl Fn(u32) -> Vec3) -> Vec3 {
-        let nodes = self.nodes();
-        nodes.iter().map(|&a| at(a)).sum::<Vec3>() / nodes.len() as f64
+        match self.nodes {
+            [a, ..] if self.count == 1 => at(a),
+            [a, b, c, d] => (at(a) + at(b) + at(c) + at(d)) / 4.0,
+        }
     }
 
     /// What a force on it is on each of its particles, and how far it goes with one of them \[–\].

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
-use contact::{Law, Surface, ToolContact, ToolShape};
+use contact::{Law, Surface, ToolContact, ToolShape, Watch};
 use sph_core::{Cell, Vec3};
 
 /// Six particles, two cells that are not flat, of unlike thickness.
@@ -48,8 +48,12 @@ fn forces_and_tangent_are_derivatives() {
             };
             let forces = |places: &[Vec3], moved: &Vec3| {
                 let mut rows = vec![Vec3::zeros(); places.len()];
-                let touch =
-                    contact.forces(moved, |a| places[a as usize], |a, force| rows[a as usize] += force);
+                let touch = contact.forces(
+                    &mut Watch::new(&contact.surface),
+                    moved,
+                    |a| places[a as usize],
+                    |a, force| rows[a as usize] += force,
+                );
                 (touch, rows)
             };
             let (touch, rows) = forces(&rest, &moved);

@@ -170,6 +170,7 @@ impl Shell {
     /// Puts a particle at a position with a director (made a unit vector); for tests and initial shapes.
     pub fn set_state(&mut self, particle: usize, position: Vec3, director: Vec3) {
         let (d, position) = (director.normalize(), position - self.reference.origin);
+        self.loading.tools.forget();
         self.motion.state[particle] = [position.x, position.y, position.z, d.x, d.y, d.z];
     }
 
@@ -183,6 +184,7 @@ impl Shell {
     pub fn take_up(&mut self, [state, rates]: [&[[f64; 6]]; 2]) -> bool {
         let fits = state.len() == self.len() && rates.len() == self.len();
         if fits {
+            self.loading.tools.forget();
             self.motion.state.copy_from_slice(state);
             self.motion.rates.copy_from_slice(rates);
         }
@@ -330,6 +332,11 @@ impl Shell {
     pub fn touch(&mut self, at: Instant) -> &[Touch] {
         self.evaluate_external(at);
         self.touches()
+    }
+
+    /// Least gaps between its faces and those of each tool at an instant \[L\], negative where they are in each other.
+    pub fn tool_gaps(&self, at: Instant) -> Vec<f64> {
+        self.loading.tools.least_gaps(at, self.loading.case, &self.motion.state)
     }
 
     /// Whether there are tools that it may touch.

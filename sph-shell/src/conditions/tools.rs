@@ -1,6 +1,6 @@
 //! Rigid tools that a shell may touch: they push by a potential, in every analysis, and move as level and time say.
 
-use contact::{Law, Surface, ToolContact, ToolShape, Touch};
+use contact::{Law, Surface, ToolContact, ToolShape, Touch, Watch};
 use explicit_dynamics::{Amplitude, Instant};
 use sph_core::Vec3;
 
@@ -28,12 +28,18 @@ pub struct Tool {
     pub stiffness: f64,
 }
 
+/// Bound of the speed of any particle of a march over the speed of sound.
+const FASTEST: f64 = 2.0;
+
 /// A tool with the surface that it may touch.
 #[derive(Clone, Debug)]
 struct Touched {
     contact: ToolContact,
+    watch: Watch,
     moved: Vec3,
     amplitude: Amplitude,
+    /// Where it stood when forces were last evaluated.
+    stood: Vec3,
 }
 
 /// All tools of a shell.
@@ -44,7 +50,13 @@ pub(crate) struct Tools {
     touches: Vec<Touch>,
     /// Forces of all of them on each particle.
     forces: Vec<Row>,
+    /// Whether any of these is not zero.
+    touching: bool,
     origin: Vec3,
+    /// No particle of a march is faster \[L/T\].
+    fastest: f64,
+    /// When forces were last evaluated; infinite if the shell was moved by hand since.
+    time: f64,
 }
 
 impl Tools {
@@ -61,10 +73,19 @@ impl Tools {
                 return Err(ShellError::ToolStiffness(stiffness));
             }
             let contact = ToolContact { tool: shape.checked()?, surface: surface.clone(), law, stiffness };
-            Ok(Touched { contact, moved, amplitude })
+            let watch = Watch::new(&contact.surface);
+            Ok(Touched { contact, watch, moved, amplitude, stood: Vec3::zeros() })
         };
         let tools = tools.into_iter().map(touched).collect::<Result<Vec<_>, ShellError>>()?;
-        Ok(Self { tools, touches: Vec::new(), forces: vec![[0.0; 6]; cloud.len()], origin: reference.origin })
+        Ok(Self {
+            tools,
+            touches: Vec::new(),
+            forces: vec![[0.0; 6]; cloud.len()],
+            touching: false,
+            origin: reference.origin,
+            fastest: FASTEST * reference.sound_speed,
+            time: f64::INFINITY,
+        })
     }
 
     /// Whether there are none.
@@ -77,18 +98,50 @@ impl Tools {
         &self.touches
     }
 
-    /// Adds the forces of all tools at an instant of a load case.
-    pub fn add(&mut self, at: Instant, under_way: LoadCase, state: &[Row], forces: &mut [Row]) {
-        let Self { tools, touches, forces: own, origin } = self;
+    /// Evaluates the forces of all tools at an instant of a load case; whether there are any.
+    ///
+    /// In time the shell moves no faster than a bound, so that far parts of it need no look; without time all of it is looked at.
+    pub fn evaluate(&mut self, at: Instant, under_way: LoadCase, state: &[Row]) -> bool {
+        let Self { tools, touches, forces, touching, origin, fastest, time } = self;
         touches.clear();
-        own.fill([0.0; 6]);
-        for tool in tools.iter() {
-            let moved = tool.moved_at(at, under_way) - *origin;
-            touches.push(tool.contact.forces(&moved, place(state), |a, force| push(own, a, &force)));
+        if std::mem::take(touching) {
+            forces.fill([0.0; 6]);
         }
-        for (sum, row) in forces.iter_mut().zip(&*own) {
+        let gone = if at.time > *time { Some(*fastest * (at.time - *time)) } else { None };
+        *time = at.time;
+        for tool in tools.iter_mut() {
+            let moved = tool.moved_at(at, under_way) - *origin;
+            match gone {
+                Some(gone) => tool.watch.count(gone + (moved - tool.stood).norm()),
+                None => tool.watch.forget(),
+            }
+            tool.stood = moved;
+            let push = |a, force: Vec3| push(forces, a, &force);
+            let touch = tool.contact.forces(&mut tool.watch, &moved, place(state), push);
+            *touching |= touch.area > 0.0;
+            touches.push(touch);
+        }
+        *touching
+    }
+
+    /// Adds the forces last evaluated.
+    pub fn add(&self, forces: &mut [Row]) {
+        for (sum, row) in forces.iter_mut().zip(&self.forces).filter(|_| self.touching) {
             (0..3).for_each(|k| sum[k] += row[k]);
         }
+    }
+
+    /// Takes note that the shell was moved by hand.
+    pub fn forget(&mut self) {
+        self.time = f64::INFINITY;
+    }
+
+    /// Least gaps between the faces of the shell and of each tool at an instant of a load case \[L\], negative where they are in each other.
+    pub fn least_gaps(&self, at: Instant, under_way: LoadCase, state: &[Row]) -> Vec<f64> {
+        let gap = |tool: &Touched| {
+            tool.contact.least_gap(&(tool.moved_at(at, under_way) - self.origin), place(state))
+        };
+        self.tools.iter().map(gap).collect()
     }
 
     /// Force of all tools on a particle, for the forces last evaluated.
@@ -146,7 +199,7 @@ impl Tools {
 
     /// Bytes that they hold.
     pub fn bytes(&self) -> usize {
-        let of = |tool: &Touched| size_of_val(tool.contact.surface.vertices());
+        let of = |tool: &Touched| size_of_val(tool.contact.surface.vertices()) + tool.watch.bytes();
         self.tools.iter().map(of).sum::<usize>() + size_of_val(&self.forces[..])
     }
 }

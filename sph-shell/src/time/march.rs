@@ -53,7 +53,7 @@ fn update_of<'a>(
 ) -> Update<'a> {
     Update {
         direct,
-        external: &loading.external,
+        external: loading.in_march(),
         masses,
         inertias,
         constraint_of: &constraints.of_particle,
