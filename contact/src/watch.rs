@@ -37,7 +37,7 @@ impl Watch {
             half: vertices.iter().fold(0.0, |half, vertex| vertex.half.max(half)),
             due: 0.0,
         };
-        Self { parts: surface.vertices().chunks(PART).map(part).collect(), way: 0.0, soonest: 0.0 }
+        Self { parts: parts(surface).map(part).collect(), way: 0.0, soonest: 0.0 }
     }
 
     /// Forgets all gaps: every part is due.
@@ -68,10 +68,16 @@ impl Watch {
             return;
         }
         self.soonest = f64::INFINITY;
-        for (part, vertices) in self.parts.iter_mut().zip(contact.surface.vertices().chunks(PART)) {
+        for (part, vertices) in self.parts.iter_mut().zip(parts(&contact.surface)) {
             if self.way >= part.due {
-                let places = vertices.iter().map(|vertex| vertex.place(&at));
-                let room = contact.tool.least_distance(places, moved) - (1.0 + NEAR) * part.half;
+                let tool = &contact.tool;
+                let least = match vertices {
+                    [first, ..] if first.nodes().len() == 1 => {
+                        tool.least_distance(vertices.iter().map(|vertex| at(vertex.corners()[0])), moved)
+                    }
+                    _ => tool.least_distance(vertices.iter().map(|vertex| middle(vertex, &at)), moved),
+                };
+                let room = least - (1.0 + NEAR) * part.half;
                 part.due = self.way + room.max(0.0);
                 if room <= 0.0 {
                     vertices.iter().for_each(&mut visit);
@@ -80,6 +86,18 @@ impl Watch {
             self.soonest = self.soonest.min(part.due);
         }
     }
+}
+
+/// The vertices of a surface part by part, each of particles alone or of middles alone.
+fn parts(surface: &Surface) -> impl Iterator<Item = &[Vertex]> {
+    surface.kinds().into_iter().flat_map(|kind| kind.chunks(PART))
+}
+
+/// Where the middle of four particles is, but for rounding.
+#[inline(always)]
+fn middle(vertex: &Vertex, at: impl Fn(u32) -> Vec3) -> Vec3 {
+    let [a, b, c, d] = vertex.corners();
+    ((at(a) + at(b)) + (at(c) + at(d))) * 0.25
 }
 
 #[cfg(test)]
