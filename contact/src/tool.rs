@@ -107,6 +107,16 @@ impl ToolShape {
         })
     }
 
+    /// A point of the axis about which a checked tool may turn, and its direction; zero for a sphere, and for a capsule that is one.
+    pub fn axis(&self) -> [Vec3; 2] {
+        match *self {
+            Self::Plane { point, normal } => [point, normal],
+            Self::Sphere { centre, .. } => [centre, Vec3::zeros()],
+            Self::Cylinder { point, axis, .. } => [point, axis],
+            Self::Capsule { ends: [a, b], .. } => [a, (b - a).try_normalize(0.0).unwrap_or_default()],
+        }
+    }
+
     /// Where a point is to a checked tool that has been moved by a translation.
     ///
     /// On the middle of a sphere or the axis of a cylinder, where there is no normal, it is an arbitrary one.

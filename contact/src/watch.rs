@@ -56,18 +56,19 @@ impl Watch {
         size_of_val(&self.parts[..])
     }
 
-    /// Calls `visit` for every vertex of the parts that are near, in their order.
+    /// Calls `visit` for every vertex of the parts that are near, with its number, in their order.
     pub(crate) fn each_near(
         &mut self,
         contact: &ToolContact,
         moved: &Vec3,
         at: impl Fn(u32) -> Vec3,
-        mut visit: impl FnMut(&Vertex),
+        mut visit: impl FnMut(u32, &Vertex),
     ) {
         if self.way < self.soonest {
             return;
         }
         self.soonest = f64::INFINITY;
+        let mut first = 0;
         for (part, vertices) in self.parts.iter_mut().zip(parts(&contact.surface)) {
             if self.way >= part.due {
                 let tool = &contact.tool;
@@ -80,10 +81,11 @@ impl Watch {
                 let room = least - (1.0 + NEAR) * part.half;
                 part.due = self.way + room.max(0.0);
                 if room <= 0.0 {
-                    vertices.iter().for_each(&mut visit);
+                    (first..).zip(vertices).for_each(|(number, vertex)| visit(number, vertex));
                 }
             }
             self.soonest = self.soonest.min(part.due);
+            first += vertices.len() as u32;
         }
     }
 }
@@ -124,7 +126,7 @@ mod tests {
         let mut watch = Watch::new(&contact.surface);
         let seen = |watch: &mut Watch, down: f64| {
             let mut count = 0;
-            watch.each_near(&contact, &Vec3::zeros(), |a| at(a) - Vec3::z() * down, |_| count += 1);
+            watch.each_near(&contact, &Vec3::zeros(), |a| at(a) - Vec3::z() * down, |_, _| count += 1);
             count
         };
         // The first part of particles and the first of middles, of which each has some at the plane.

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
-use contact::{Law, Surface, ToolContact, ToolShape, Touch, Watch, stiffness};
+use contact::{Law, Pose, Surface, ToolContact, ToolShape, Touch, Watch, stiffness};
 use nalgebra::Rotation3;
 use sph_core::{Cell, Vec3};
 
@@ -33,7 +33,8 @@ fn touched(map: impl Fn(Vec3) -> Vec3, length: f64, force: f64, tool: ToolShape)
     let mut rows = vec![Vec3::zeros(); places.len()];
     let touch = contact.forces(
         &mut Watch::new(&contact.surface),
-        &Vec3::zeros(),
+        None,
+        &Pose::default(),
         |a| places[a as usize],
         |a, f| rows[a as usize] += f,
     );
@@ -86,7 +87,8 @@ fn a_flat_sheet_is_borne_evenly_by_any_lattice() {
         };
         let touch = contact.forces(
             &mut Watch::new(&contact.surface),
-            &Vec3::zeros(),
+            None,
+            &Pose::default(),
             |a| rest[a as usize],
             |_, _| (),
         );
