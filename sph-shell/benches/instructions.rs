@@ -41,7 +41,15 @@ fn tools(kind: usize) -> Vec<Tool> {
     let shape = ToolShape::Plane { point: Vec3::z() * (-0.005 - gap), normal: Vec3::z() };
     let law = Law::new(0.05).expect("a law");
     let stiffness = stiffness(1e6, 0.01, 1.0 / SIDE as f64);
-    vec![Tool { shape, moved: Vec3::zeros(), amplitude: Amplitude::Constant, law, stiffness }]
+    vec![Tool {
+        shape,
+        moved: Vec3::zeros(),
+        turn: 0.0,
+        friction: 0.0,
+        amplitude: Amplitude::Constant,
+        law,
+        stiffness,
+    }]
 }
 
 /// Those springs; none beyond the kinds.

@@ -37,6 +37,8 @@ impl Builder<'_> {
             Some(Tool {
                 shape: self.shape(tool)?,
                 moved: self.turned(tool.moved.unwrap_or_default()),
+                turn: tool.turn.unwrap_or_default(),
+                friction: tool.friction.map_or(0.0, |friction| friction.get()),
                 amplitude: tool.amplitude.clone().unwrap_or_default(),
                 law: Law::new(rounding)?,
                 stiffness: stiffness * tool.stiffness.map_or(1.0, |factor| factor.get()),
