@@ -1,4 +1,5 @@
-//! Contact of surfaces with rigid tools: a penalty on the distance of mid-surfaces, with a barrier in the inner half of the thickness.
+//! Contact of surfaces with rigid tools: a penalty on the distance of mid-surfaces, with a barrier in the inner half of the thickness, and
+//! Coulomb friction.
 //!
 //! Thickness is the room in which contact happens: the mid-surface of a shell of thickness t stands `D = t/2` off a tool when faces touch, so a
 //! soft law has half a thickness to give. Every vertex of the surface, a particle or the middle of a quadrilateral, has the energy
@@ -15,7 +16,7 @@
 //! a share of the square of the fastest one ([`stiffness`]).
 //!
 //! ```
-//! use contact::{Law, Surface, ToolContact, ToolShape, stiffness};
+//! use contact::{Law, Pose, Surface, ToolContact, ToolShape, Watch, stiffness};
 //! use sph_core::{Cell, Vec3};
 //!
 //! // A sheet of one cell, a thousandth of its thickness deep in a plane.
@@ -28,7 +29,8 @@
 //!     stiffness: stiffness(1e6, 0.1, 1.0),
 //! };
 //! let mut sum = Vec3::zeros();
-//! let touch = contact.forces(&Vec3::zeros(), |a| rest[a as usize], |_, force| sum += force);
+//! let mut watch = Watch::new(&contact.surface);
+//! let touch = contact.forces(&mut watch, None, &Pose::default(), |a| rest[a as usize], |_, force| sum += force);
 //! assert!((sum.z / (contact.stiffness * 1e-4) - 1.0).abs() < 1e-9); // κ u A
 //! assert!((touch.greatest_depth - 0.002).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -40,26 +42,37 @@
 //! | shapes and their distances | `tool.rs` |
 //! | vertices, areas | `surface.rs` |
 //! | forces, tangent, what is measured | `touch.rs` |
+//! | what is far is passed over | `watch.rs` |
 //! | κ | `stiffness.rs` |
+//! | friction, its anchors, what it loses | `friction.rs` |
+//! | how far a tool has moved and turned | `pose.rs` |
 //!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
 //! |---|---|
 //! | slope and curvature of the law, gradient and second derivative of distances are derivatives | `slope_and_curvature_are_derivatives_everywhere`, `gradient_and_second_derivative_are_those_of_the_distance` |
+//! | what is passed over does not touch | `far_parts_are_passed_over_until_motion_may_have_brought_them` |
 //! | areas sum to that of the sheet | `a_sheet_hands_all_of_its_area_to_its_vertices` |
 //! | forces are the gradient of the energy, the tangent that of the forces, for every tool | tests/derivatives.rs |
+//! | work of friction is what it loses and what its anchors store; a tool that turns drags | tests/friction.rs |
 //! | turned and in other units the answer is the same | tests/relations.rs |
 #![warn(missing_docs)]
 
+mod friction;
 mod law;
+mod pose;
 mod stiffness;
 mod surface;
 mod tool;
 mod touch;
+mod watch;
 
+pub use friction::Friction;
 pub use law::Law;
+pub use pose::Pose;
 pub use stiffness::stiffness;
 pub use surface::{Surface, Vertex};
-pub use tool::{Gap, ToolError, ToolShape};
+pub use tool::{Face, Gap, ToolError, ToolShape};
 pub use touch::{ToolContact, Touch};
+pub use watch::Watch;

@@ -19,10 +19,17 @@ impl Vertex {
         &self.nodes[..usize::from(self.count)]
     }
 
+    /// The same as four numbers, a particle four times.
+    pub(crate) fn corners(&self) -> [u32; 4] {
+        self.nodes
+    }
+
     /// Where it is.
     pub fn place(&self, at: impl Fn(u32) -> Vec3) -> Vec3 {
-        let nodes = self.nodes();
-        nodes.iter().map(|&a| at(a)).sum::<Vec3>() / nodes.len() as f64
+        match self.nodes {
+            [a, ..] if self.count == 1 => at(a),
+            [a, b, c, d] => (at(a) + at(b) + at(c) + at(d)) / 4.0,
+        }
     }
 
     /// What a force on it is on each of its particles, and how far it goes with one of them \[–\].
@@ -38,6 +45,8 @@ impl Vertex {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     vertices: Vec<Vertex>,
+    /// How many of these are particles.
+    particles: usize,
 }
 
 impl Surface {
@@ -69,13 +78,20 @@ impl Surface {
         let particle =
             |(a, &area): (usize, &f64)| Vertex { nodes: [a as u32; 4], count: 1, area, half: half(a as u32) };
         let mut vertices: Vec<Vertex> = touching.map(particle).collect();
+        let particles = vertices.len();
         vertices.extend(middles);
-        Self { vertices }
+        Self { vertices, particles }
     }
 
     /// All vertices: particles in their order, then middles in the order of the cells.
     pub fn vertices(&self) -> &[Vertex] {
         &self.vertices
+    }
+
+    /// Particles, then middles.
+    pub(crate) fn kinds(&self) -> [&[Vertex]; 2] {
+        let (particles, middles) = self.vertices.split_at(self.particles);
+        [particles, middles]
     }
 }
 

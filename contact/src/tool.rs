@@ -49,6 +49,15 @@ pub struct Gap {
     pub curvature: Matrix3<f64>,
 }
 
+/// How far a point is from a tool, and in which direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Face {
+    /// Distance g from the face of the tool \[L\], negative inside.
+    pub distance: f64,
+    /// Its gradient ∇g, of length one.
+    pub normal: Vec3,
+}
+
 /// A tool that makes no sense.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ToolError {
@@ -98,41 +107,126 @@ impl ToolShape {
         })
     }
 
+    /// A point of the axis about which a checked tool may turn, and its direction; zero for a sphere, and for a capsule that is one.
+    pub fn axis(&self) -> [Vec3; 2] {
+        match *self {
+            Self::Plane { point, normal } => [point, normal],
+            Self::Sphere { centre, .. } => [centre, Vec3::zeros()],
+            Self::Cylinder { point, axis, .. } => [point, axis],
+            Self::Capsule { ends: [a, b], .. } => [a, (b - a).try_normalize(0.0).unwrap_or_default()],
+        }
+    }
+
     /// Where a point is to a checked tool that has been moved by a translation.
     ///
     /// On the middle of a sphere or the axis of a cylinder, where there is no normal, it is an arbitrary one.
     pub fn gap(&self, point: &Vec3, moved: &Vec3) -> Gap {
+        let Face { distance, normal } = self.face(point, moved);
+        let curvature = match *self {
+            Self::Plane { .. } => Matrix3::zeros(),
+            _ => match self.arm(&(point - moved)) {
+                Arm { from, space } if from.norm() > 0.0 => {
+                    (space.projection() - normal * normal.transpose()) / from.norm()
+                }
+                _ => Matrix3::zeros(),
+            },
+        };
+        Gap { distance, normal, curvature }
+    }
+
+    /// The same without the second derivative.
+    pub fn face(&self, point: &Vec3, moved: &Vec3) -> Face {
         let x = point - moved;
         match *self {
+            Self::Plane { point, normal } => Face { distance: normal.dot(&(x - point)), normal },
+            Self::Sphere { radius, .. } | Self::Cylinder { radius, .. } | Self::Capsule { radius, .. } => {
+                let Arm { from, space } = self.arm(&x);
+                let r = from.norm();
+                let normal = if r > 0.0 { from / r } else { space.projection() * Vec3::new(0.48, 0.6, 0.64) };
+                Face { distance: r - radius, normal }
+            }
+        }
+    }
+
+    /// The least distance of many points from a checked tool that has been moved by a translation, but for rounding: one root for all
+    /// of them \[L\].
+    pub fn least_distance(&self, points: impl Iterator<Item = Vec3>, moved: &Vec3) -> f64 {
+        match *self {
             Self::Plane { point, normal } => {
-                Gap { distance: normal.dot(&(x - point)), normal, curvature: Matrix3::zeros() }
+                let zero = normal.dot(&(point + moved));
+                points.fold(f64::INFINITY, |least, x| lesser(least, normal.dot(&x))) - zero
             }
-            Self::Sphere { centre, radius } => round(x - centre, radius, Matrix3::identity()),
+            Self::Sphere { centre, radius } => {
+                let centre = centre + moved;
+                let square =
+                    points.fold(f64::INFINITY, |least, x| lesser(least, (x - centre).norm_squared()));
+                square.sqrt() - radius
+            }
             Self::Cylinder { point, axis, radius } => {
-                let across = Matrix3::identity() - axis * axis.transpose();
-                round(across * (x - point), radius, across)
+                let point = point + moved;
+                let square = points.fold(f64::INFINITY, |least, x| {
+                    let arm = x - point;
+                    lesser(least, (arm - axis * axis.dot(&arm)).norm_squared())
+                });
+                square.sqrt() - radius
             }
-            Self::Capsule { ends: [a, b], radius } => {
+            Self::Capsule { radius, .. } => {
+                let square = points.fold(f64::INFINITY, |least, x| {
+                    lesser(least, self.arm(&(x - moved)).from.norm_squared())
+                });
+                square.sqrt() - radius
+            }
+        }
+    }
+
+    /// From the centre or the axis of a round tool to a point in its frame.
+    fn arm(&self, x: &Vec3) -> Arm {
+        match *self {
+            Self::Plane { point, .. } => Arm { from: x - point, space: Space::All },
+            Self::Sphere { centre, .. } => Arm { from: x - centre, space: Space::All },
+            Self::Cylinder { point, axis, .. } => {
+                let space = Space::Across { axis, square: 1.0 };
+                Arm { from: space.projection() * (x - point), space }
+            }
+            Self::Capsule { ends: [a, b], .. } => {
                 let along = b - a;
                 let square = along.norm_squared();
                 let part = if square > 0.0 { along.dot(&(x - a)) / square } else { 0.0 };
                 if (0.0..=1.0).contains(&part) && square > 0.0 {
-                    let across = Matrix3::identity() - along * along.transpose() / square;
-                    round(x - a - along * part, radius, across)
+                    Arm { from: x - a - along * part, space: Space::Across { axis: along, square } }
                 } else {
-                    round(x - if part < 0.0 { a } else { b }, radius, Matrix3::identity())
+                    Arm { from: x - if part < 0.0 { a } else { b }, space: Space::All }
                 }
             }
         }
     }
 }
 
-/// The gap of a point at `from` off a centre or an axis, in the space onto which `space` projects: `∇∇g = (P − n nᵀ)/r`.
-fn round(from: Vec3, radius: f64, space: Matrix3<f64>) -> Gap {
-    let r = from.norm();
-    let normal = if r > 0.0 { from / r } else { space * Vec3::new(0.48, 0.6, 0.64) };
-    let curvature = if r > 0.0 { (space - normal * normal.transpose()) / r } else { Matrix3::zeros() };
-    Gap { distance: r - radius, normal, curvature }
+/// The way from the centre or the axis of a round tool to a point, and the space in which it lies.
+struct Arm {
+    from: Vec3,
+    space: Space,
+}
+
+/// All of space, or what of it lies across an axis, whose length has a square.
+enum Space {
+    All,
+    Across { axis: Vec3, square: f64 },
+}
+
+impl Space {
+    /// Projects onto it: `∇∇g = (P − n nᵀ)/r`.
+    fn projection(&self) -> Matrix3<f64> {
+        match *self {
+            Self::All => Matrix3::identity(),
+            Self::Across { axis, square } => Matrix3::identity() - axis * axis.transpose() / square,
+        }
+    }
+}
+
+/// The lesser of two numbers, the first where one is none.
+fn lesser(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
 }
 
 #[cfg(test)]
@@ -176,6 +270,8 @@ mod tests {
                     let error = (change - here.curvature.column(k)).norm();
                     assert!(error < 1e-7, "{tool:?} {x}: {error}");
                 }
+                let least = tool.least_distance([x, x + here.normal].into_iter(), &moved);
+                assert!((least - here.distance).abs() < 1e-12, "{tool:?} {x}: {least}");
             }
         }
     }

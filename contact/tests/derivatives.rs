@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
-use contact::{Law, Surface, ToolContact, ToolShape};
+use contact::{Law, Pose, Surface, ToolContact, ToolShape, Watch};
 use sph_core::{Cell, Vec3};
 
 /// Six particles, two cells that are not flat, of unlike thickness.
@@ -48,8 +48,13 @@ fn forces_and_tangent_are_derivatives() {
             };
             let forces = |places: &[Vec3], moved: &Vec3| {
                 let mut rows = vec![Vec3::zeros(); places.len()];
-                let touch =
-                    contact.forces(moved, |a| places[a as usize], |a, force| rows[a as usize] += force);
+                let touch = contact.forces(
+                    &mut Watch::new(&contact.surface),
+                    None,
+                    &Pose::moved(*moved),
+                    |a| places[a as usize],
+                    |a, force| rows[a as usize] += force,
+                );
                 (touch, rows)
             };
             let (touch, rows) = forces(&rest, &moved);
@@ -57,7 +62,8 @@ fn forces_and_tangent_are_derivatives() {
             let scale = rows.iter().map(Vec3::norm).fold(0.0, f64::max);
             let mut tangent = vec![[[0.0; 3]; 3]; 36];
             contact.tangent(
-                &moved,
+                None,
+                &Pose::moved(moved),
                 |a| rest[a as usize],
                 |a, b, block| {
                     for i in 0..3 {
@@ -69,7 +75,13 @@ fn forces_and_tangent_are_derivatives() {
             );
             let mut rates = [Vec3::zeros(); 6];
             let way = Vec3::new(0.2, -0.1, 1.0);
-            contact.rates(&moved, &way, |a| rest[a as usize], |a, rate| rates[a as usize] += rate);
+            contact.rates(
+                None,
+                &Pose::moved(moved),
+                &Pose::moved(way),
+                |a| rest[a as usize],
+                |a, rate| rates[a as usize] += rate,
+            );
             for b in 0..6 {
                 for k in 0..3 {
                     let shifted = |by: f64| {

@@ -5,10 +5,13 @@
 
 use std::process::Command;
 
-use explicit_dynamics::Clock;
+use contact::{Law, ToolShape, stiffness};
+use explicit_dynamics::{Amplitude, Clock};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{CubicSpline, EndWeights, Plate, Vec3, lattice};
-use sph_shell::{Divergence, Formulation, Parts, Reach, Shell, Spring, SpringBetween, Springs, TurnSpring};
+use sph_shell::{
+    Divergence, Formulation, Parts, Reach, Shell, Spring, SpringBetween, Springs, Tool, TurnSpring,
+};
 
 const SIDE: usize = 30;
 const STEPS: [u64; 2] = [10, 60];
@@ -28,6 +31,26 @@ fn formulations() -> [Formulation; 3] {
 
 /// Springs on all particles of the first formulation, by kind.
 const SPRUNG: [&str; 3] = ["springs to the ground", "springs against turning", "springs between halves"];
+
+/// Planes below the plate of the first formulation: many cells away, a fifth of a cell, and pressed in by a hundredth of the thickness.
+const TOUCHED: [&str; 3] = ["a tool that is far", "a tool that is near", "a tool that all of it touches"];
+
+/// A plane at that distance; none beyond the kinds.
+fn tools(kind: usize) -> Vec<Tool> {
+    let Some(gap) = [1.0, 0.2 / SIDE as f64, -1e-4].get(kind) else { return Vec::new() };
+    let shape = ToolShape::Plane { point: Vec3::z() * (-0.005 - gap), normal: Vec3::z() };
+    let law = Law::new(0.05).expect("a law");
+    let stiffness = stiffness(1e6, 0.01, 1.0 / SIDE as f64);
+    vec![Tool {
+        shape,
+        moved: Vec3::zeros(),
+        turn: 0.0,
+        friction: 0.0,
+        amplitude: Amplitude::Constant,
+        law,
+        stiffness,
+    }]
+}
 
 /// Those springs; none beyond the kinds.
 fn springs(kind: usize) -> Springs {
@@ -53,15 +76,17 @@ fn main() {
         && child == "--child"
     {
         let which = which.parse::<usize>().expect("a number");
-        let (kind, formulation) = match which.checked_sub(formulations().len()) {
-            None => (SPRUNG.len(), formulations()[which]),
-            Some(kind) => (kind, formulations()[0]),
-        };
-        march(formulation, springs(kind), steps.parse().expect("a number"));
+        // Beyond the formulations those springs, then those tools, on the first of them.
+        let formulation = *formulations().get(which).unwrap_or(&formulations()[0]);
+        let kind = |before: usize| which.checked_sub(formulations().len() + before).unwrap_or(usize::MAX);
+        let (springs, tools) = (springs(kind(0)), tools(kind(SPRUNG.len())));
+        march(formulation, springs, tools, steps.parse().expect("a number"));
         return;
     }
     let names = formulations().map(|formulation| format!("{formulation:?}"));
-    for (which, name) in names.into_iter().chain(SPRUNG.map(String::from)).enumerate() {
+    for (which, name) in
+        names.into_iter().chain(SPRUNG.map(String::from)).chain(TOUCHED.map(String::from)).enumerate()
+    {
         let counts = STEPS.map(|steps| count(which, steps));
         let [Some(few), Some(many)] = counts else {
             println!("instruction counts skipped: valgrind is not here, or it did not report a count");
@@ -85,7 +110,7 @@ fn count(which: usize, steps: u64) -> Option<u64> {
     line.rsplit(' ').next()?.parse().ok()
 }
 
-fn march(formulation: Formulation, springs: Springs, steps: u64) {
+fn march(formulation: Formulation, springs: Springs, tools: Vec<Tool>, steps: u64) {
     let cloud = lattice(&Plate { lengths: [1.0, 1.0] }, [SIDE, SIDE], EndWeights::Trapezoid)
         .expect("a sound lattice");
     let material = Isotropic::new(1e6, 0.3).expect("a sound material");
@@ -100,7 +125,7 @@ fn march(formulation: Formulation, springs: Springs, steps: u64) {
         loads: Vec::new(),
         threads: 1,
     });
-    let mut shell = shell.springs(springs).build().expect("a sound shell");
+    let mut shell = shell.springs(springs).tools(tools).build().expect("a sound shell");
     for a in 0..shell.len() {
         let x = shell.position(a);
         shell.set_rate(a, Vec3::new(x.y, -x.x, x.x * x.y), Vec3::zeros());

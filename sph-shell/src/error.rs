@@ -34,6 +34,9 @@ pub enum ShellError {
     /// A tool that pushes with no stiffness.
     #[error("a tool has the stiffness {0}; it must be positive and finite")]
     ToolStiffness(f64),
+    /// A tool with a friction that is negative or not finite.
+    #[error("a tool has the friction {0}; it needs one of zero or more")]
+    ToolFriction(f64),
     /// Tools on a shell that is particles alone.
     #[error("tools touch cells, and the cloud has none; give it cells, or leave the tools out")]
     ToolWithoutCells,

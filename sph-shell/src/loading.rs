@@ -28,7 +28,9 @@ pub(crate) struct Loading {
     /// Forces that a function exerts.
     pub push: Option<Box<Push>>,
     /// External forces; empty without loads.
-    pub external: Vec<Row>,
+    external: Vec<Row>,
+    /// Whether all of them are zero: there are tools alone, and nothing touches them.
+    idle: bool,
     /// Forces of the springs on each particle; empty without springs on particles.
     pub spring_forces: Vec<Row>,
 }
@@ -55,6 +57,7 @@ impl Loading {
         Self {
             external: rows(!loads.is_empty() || !springs.is_empty() || !tools.is_empty() || wetted.is_some()),
             spring_forces: rows(springs.any_on_particles()),
+            idle: false,
             case: LoadCase::Loading,
             loads,
             springs,
@@ -68,6 +71,11 @@ impl Loading {
     pub fn push(&mut self, push: Push, particles: usize) {
         self.external.resize(particles, [0.0; 6]);
         self.push = Some(Box::new(push));
+    }
+
+    /// External forces for a march; empty where there are none.
+    pub fn in_march(&self) -> &[Row] {
+        if self.idle { &[] } else { &self.external }
     }
 
     /// Load on a particle for the last forces evaluated \[F, F L\].
@@ -134,8 +142,21 @@ impl Loading {
             Part::Whole(at) => Some(at),
             Part::Rate { .. } => None,
         };
+        let touching = match part {
+            Part::Whole(at) => self.tools.evaluate(at, self.case, &motion.state),
+            Part::Rate { .. } => true,
+        };
+        let tools_alone = self.loads.is_empty()
+            && self.spring_forces.is_empty()
+            && self.wetted.is_none()
+            && self.push.is_none()
+            && dependents.is_empty();
+        if tools_alone && !touching && self.idle {
+            return;
+        }
+        self.idle = tools_alone && !touching;
         self.evaluate_bodies(now.is_some(), &scale, reference, &mut dependents.junctions, &motion.state);
-        let Self { loads, case, springs, tools, wetted, push, external, spring_forces } = self;
+        let Self { loads, case, springs, tools, wetted, push, external, spring_forces, .. } = self;
         let body = dependents.loaded(reference, &motion.state);
         external.fill([0.0; 6]);
         for applied in loads.iter() {
@@ -158,7 +179,7 @@ impl Loading {
             }
         }
         match part {
-            Part::Whole(at) => tools.add(at, *case, &motion.state, external),
+            Part::Whole(_) => tools.add(external),
             Part::Rate { level } => {
                 tools.add_rates(Instant { time: 0.0, level }, *case, &motion.state, external)
             }

@@ -170,6 +170,7 @@ impl Shell {
     /// Puts a particle at a position with a director (made a unit vector); for tests and initial shapes.
     pub fn set_state(&mut self, particle: usize, position: Vec3, director: Vec3) {
         let (d, position) = (director.normalize(), position - self.reference.origin);
+        self.loading.tools.forget();
         self.motion.state[particle] = [position.x, position.y, position.z, d.x, d.y, d.z];
     }
 
@@ -183,32 +184,43 @@ impl Shell {
     pub fn take_up(&mut self, [state, rates]: [&[[f64; 6]]; 2]) -> bool {
         let fits = state.len() == self.len() && rates.len() == self.len();
         if fits {
+            self.loading.tools.forget();
             self.motion.state.copy_from_slice(state);
             self.motion.rates.copy_from_slice(rates);
         }
         fits
     }
 
-    /// Commits what the present strains make of the history of sections with memory: of an accepted state, whose history is to last. Without
-    /// memory nothing is done; marches and [`crate::StaticShell`] commit by themselves.
+    /// Commits what the present strains make of the history of sections with memory, and the anchors of the forces of tools last evaluated: of
+    /// an accepted state, whose history is to last. Without memory and friction nothing is done; marches and [`crate::StaticShell`] commit by themselves.
     pub fn commit(&mut self) {
-        let Self { points, material, motion, .. } = self;
+        let Self { points, material, motion, loading, .. } = self;
         points.commit(material.strain, &motion.state);
+        loading.tools.commit();
     }
 
-    /// Whether its section has a memory.
+    /// Whether its section has a memory, or a tool friction.
     pub(crate) fn remembers(&self) -> bool {
-        !self.points.sections.histories().is_empty()
+        !self.points.sections.histories().is_empty() || self.loading.tools.remember()
     }
 
-    /// The committed history of all points, which belongs to [`Shell::motion`] as a part of the state; empty without memory.
+    /// The committed history of all points, and of what grips tools, which belongs to [`Shell::motion`] as a part of the state; empty without
+    /// memory and friction.
     pub fn history(&self) -> Vec<f64> {
-        self.points.sections.histories().iter().flat_map(|pack| pack.numbers()).collect()
+        let points = self.points.sections.histories().iter().flat_map(|pack| pack.numbers());
+        points.chain(self.loading.tools.history()).collect()
     }
 
-    /// Takes up a history that [`Shell::history`] gave, to the same bits; false, and nothing changed, if it is that of another shell.
+    /// Takes up a history that [`Shell::history`] gave, to the same bits; false if it is that of another shell.
     pub fn take_up_history(&mut self, history: &[f64]) -> bool {
-        self.points.sections.take_up(history)
+        let points = self.points.sections.histories().iter().map(|pack| pack.count()).sum();
+        let Some((points, tools)) = history.split_at_checked(points) else { return false };
+        self.loading.tools.take_up(tools) && self.points.sections.take_up(points)
+    }
+
+    /// Energy that friction on tools has taken at a particle \[F L\], until the last commit.
+    pub fn friction_loss(&self, particle: usize) -> f64 {
+        self.loading.tools.lost_at(particle)
     }
 
     /// Internal energy found by the last evaluation that was asked for it \[F L\]; of sections with memory what they have dissipated is in it.
@@ -330,6 +342,11 @@ impl Shell {
     pub fn touch(&mut self, at: Instant) -> &[Touch] {
         self.evaluate_external(at);
         self.touches()
+    }
+
+    /// Least gaps between its faces and those of each tool at an instant \[L\], negative where they are in each other.
+    pub fn tool_gaps(&self, at: Instant) -> Vec<f64> {
+        self.loading.tools.least_gaps(at, self.loading.case, &self.motion.state)
     }
 
     /// Whether there are tools that it may touch.

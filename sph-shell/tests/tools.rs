@@ -26,6 +26,8 @@ fn still(shape: ToolShape, stiffness: f64) -> Tool {
     Tool {
         shape,
         moved: Vec3::zeros(),
+        turn: 0.0,
+        friction: 0.0,
         amplitude: Amplitude::Constant,
         law: Law::new(0.0).unwrap(),
         stiffness,
@@ -128,6 +130,8 @@ fn ring(cells: usize, thickness: f64, down: f64, law: Law) -> Shell {
     let tool = Tool {
         shape: plate,
         moved: Vec3::z() * -down,
+        turn: 0.0,
+        friction: 0.0,
         amplitude: Amplitude::Constant,
         law,
         stiffness: stiffness(YOUNG, thickness, spacing),

@@ -305,6 +305,8 @@ bounds! {
     Courant: f64, Range::Within(0.001, 0.5), "0.3 is usual; at 0.6 still water does not stay at rest";
     /// Depth over half of a thickness up to which contact sets in softly \[–\].
     Rounding: f64, Range::Within(0.0, 0.125), "0.05 is usual in time, 0 without; it has to end well before the barrier at one half";
+    /// Coefficient of friction \[–\].
+    FrictionCoefficient: f64, Range::Within(0.0, 2.0), "0.1 to 0.6 are usual; leave it out for a smooth tool";
     /// Iterations of Newton's method, which converges in some ten or not at all.
     Iterations: usize, Range::Within(1.0, 1000.0), "leave it out for the usual number";
     /// Iterations of a relaxation: one that takes more does not come to rest.

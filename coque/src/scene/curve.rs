@@ -91,6 +91,7 @@ impl Take {
             Measured::Reaction
             | Measured::ContactForce
             | Measured::FractureEnergy
+            | Measured::FrictionLoss
             | Measured::Force
             | Measured::Moment
             | Measured::ReactionMoment
@@ -114,6 +115,8 @@ pub enum Measured {
     Reaction,
     /// Component of the force that its tools exert on a shell \[F\].
     ContactForce,
+    /// Energy that friction on tools has taken of a shell \[F L\].
+    FrictionLoss,
     /// Component of the moment that the supports of a shell exert about a point \[F L\].
     ReactionMoment,
     /// Angle by which the director has turned about the direction, counted on beyond π \[rad\].
@@ -170,6 +173,7 @@ impl Measured {
             Self::Position => "position",
             Self::Reaction => "reaction",
             Self::ContactForce => "contact-force",
+            Self::FrictionLoss => "friction-loss",
             Self::ReactionMoment => "reaction-moment",
             Self::VonMises => "von-mises",
             Self::Stress => "stress",
@@ -202,7 +206,11 @@ impl Measured {
             Self::Rotation => Quantity::Angle,
             Self::Director | Self::Damage | Self::Pieces => Quantity::Ratio,
             Self::Velocity => Quantity::Speed,
-            Self::FractureEnergy | Self::Moment | Self::ReactionMoment | Self::Energy => Quantity::Energy,
+            Self::FractureEnergy
+            | Self::FrictionLoss
+            | Self::Moment
+            | Self::ReactionMoment
+            | Self::Energy => Quantity::Energy,
             Self::StrainEnergy | Self::Pressure | Self::Stress | Self::VonMises => Quantity::Stress,
             Self::MembraneForce | Self::ShearForce => Quantity::ForcePerLength,
             Self::BendingMoment => Quantity::MomentPerLength,
@@ -217,6 +225,7 @@ impl Measured {
             self,
             Self::Damage
                 | Self::FractureEnergy
+                | Self::FrictionLoss
                 | Self::Pieces
                 | Self::StrainEnergy
                 | Self::VonMises

@@ -1,6 +1,6 @@
 //! Rigid tools that a shell may touch: they push by a potential, in every analysis, and move as level and time say.
 
-use contact::{Law, Surface, ToolContact, ToolShape, Touch};
+use contact::{Friction, Law, Pose, Surface, ToolContact, ToolShape, Touch, Watch};
 use explicit_dynamics::{Amplitude, Instant};
 use sph_core::Vec3;
 
@@ -13,27 +13,41 @@ use crate::reference::Reference;
 /// A tool before the shell is built.
 ///
 /// It pushes on both faces of the shell, whose particles lie in the middle of its thickness: the mid-surface stands half a thickness off the
-/// tool when they touch (crate `contact`). The loss of friction is none: tools are smooth.
+/// tool when they touch (crate `contact`).
 #[derive(Clone, Debug)]
 pub struct Tool {
     /// Its shape and place at level zero, from zero.
     pub shape: ToolShape,
     /// How far it has moved at level one \[L\].
     pub moved: Vec3,
+    /// How far it has turned about its own axis at level one \[rad\].
+    pub turn: f64,
     /// What of that a time brings.
     pub amplitude: Amplitude,
     /// The law of contact.
     pub law: Law,
     /// Stiffness κ of a unit of area \[F/L³\]; [`contact::stiffness`] has one.
     pub stiffness: f64,
+    /// Coefficient of friction μ \[–\]; zero of a smooth one.
+    pub friction: f64,
 }
+
+/// Numbers of an anchor.
+const ANCHOR: usize = 7;
+/// Bound of the speed of any particle of a march over the speed of sound.
+const FASTEST: f64 = 2.0;
 
 /// A tool with the surface that it may touch.
 #[derive(Clone, Debug)]
 struct Touched {
     contact: ToolContact,
-    moved: Vec3,
+    watch: Watch,
+    friction: Option<Friction>,
+    /// How far it has moved and turned at level one.
+    motion: Pose,
     amplitude: Amplitude,
+    /// Where it stood when forces were last evaluated.
+    stood: Vec3,
 }
 
 /// All tools of a shell.
@@ -44,27 +58,50 @@ pub(crate) struct Tools {
     touches: Vec<Touch>,
     /// Forces of all of them on each particle.
     forces: Vec<Row>,
+    /// Energy that friction has taken at each particle \[F L\]; empty where all are smooth.
+    lost: Vec<f64>,
+    /// Whether any of the forces is not zero.
+    touching: bool,
     origin: Vec3,
+    /// No particle of a march is faster \[L/T\].
+    fastest: f64,
+    /// When forces were last evaluated; infinite if the shell was moved by hand since.
+    time: f64,
 }
 
 impl Tools {
     /// The tools of a shell with half of its thickness at each particle \[L\].
     ///
     /// # Errors
-    /// [`ShellError`] for shapes without sense and a stiffness that is not positive.
+    /// [`ShellError`] for shapes without sense, a stiffness that is not positive, and a friction that is negative.
     pub fn new(tools: Vec<Tool>, reference: &Reference, half: &[f64]) -> Result<Self, ShellError> {
         let cloud = &reference.cloud;
         let surface = Surface::new(&cloud.cells, &cloud.positions, |a| half[a as usize]);
         let touched = |tool: Tool| {
-            let Tool { shape, moved, amplitude, law, stiffness } = tool;
+            let Tool { shape, moved, turn, amplitude, law, stiffness, friction } = tool;
             if !(stiffness > 0.0 && stiffness.is_finite()) {
                 return Err(ShellError::ToolStiffness(stiffness));
             }
             let contact = ToolContact { tool: shape.checked()?, surface: surface.clone(), law, stiffness };
-            Ok(Touched { contact, moved, amplitude })
+            let watch = Watch::new(&contact.surface);
+            let rubs = Friction::new(friction, surface.vertices().len());
+            let rubs = rubs.ok_or(ShellError::ToolFriction(friction))?;
+            let friction = if friction > 0.0 { Some(rubs) } else { None };
+            let motion = Pose { moved, angle: turn };
+            Ok(Touched { contact, watch, friction, motion, amplitude, stood: Vec3::zeros() })
         };
         let tools = tools.into_iter().map(touched).collect::<Result<Vec<_>, ShellError>>()?;
-        Ok(Self { tools, touches: Vec::new(), forces: vec![[0.0; 6]; cloud.len()], origin: reference.origin })
+        let rough = tools.iter().any(|tool| tool.friction.is_some());
+        Ok(Self {
+            tools,
+            touches: Vec::new(),
+            forces: vec![[0.0; 6]; cloud.len()],
+            lost: vec![0.0; if rough { cloud.len() } else { 0 }],
+            touching: false,
+            origin: reference.origin,
+            fastest: FASTEST * reference.sound_speed,
+            time: f64::INFINITY,
+        })
     }
 
     /// Whether there are none.
@@ -77,18 +114,51 @@ impl Tools {
         &self.touches
     }
 
-    /// Adds the forces of all tools at an instant of a load case.
-    pub fn add(&mut self, at: Instant, under_way: LoadCase, state: &[Row], forces: &mut [Row]) {
-        let Self { tools, touches, forces: own, origin } = self;
+    /// Evaluates the forces of all tools at an instant of a load case; whether there are any.
+    ///
+    /// In time the shell moves no faster than a bound, so that far parts of it need no look; without time all of it is looked at.
+    pub fn evaluate(&mut self, at: Instant, under_way: LoadCase, state: &[Row]) -> bool {
+        let Self { tools, touches, forces, touching, origin, fastest, time, .. } = self;
         touches.clear();
-        own.fill([0.0; 6]);
-        for tool in tools.iter() {
-            let moved = tool.moved_at(at, under_way) - *origin;
-            touches.push(tool.contact.forces(&moved, place(state), |a, force| push(own, a, &force)));
+        if std::mem::take(touching) {
+            forces.fill([0.0; 6]);
         }
-        for (sum, row) in forces.iter_mut().zip(&*own) {
+        let gone = if at.time > *time { Some(*fastest * (at.time - *time)) } else { None };
+        *time = at.time;
+        for tool in tools.iter_mut() {
+            let pose = tool.pose(at, under_way, origin);
+            match gone {
+                Some(gone) => tool.watch.count(gone + (pose.moved - tool.stood).norm()),
+                None => tool.watch.forget(),
+            }
+            tool.stood = pose.moved;
+            let push = |a, force: Vec3| push(forces, a, &force);
+            let Touched { contact, watch, friction, .. } = tool;
+            let touch = contact.forces(watch, friction.as_mut(), &pose, place(state), push);
+            *touching |= touch.area > 0.0;
+            touches.push(touch);
+        }
+        *touching
+    }
+
+    /// Adds the forces last evaluated.
+    pub fn add(&self, forces: &mut [Row]) {
+        for (sum, row) in forces.iter_mut().zip(&self.forces).filter(|_| self.touching) {
             (0..3).for_each(|k| sum[k] += row[k]);
         }
+    }
+
+    /// Takes note that the shell was moved by hand.
+    pub fn forget(&mut self) {
+        self.time = f64::INFINITY;
+    }
+
+    /// Least gaps between the faces of the shell and of each tool at an instant of a load case \[L\], negative where they are in each other.
+    pub fn least_gaps(&self, at: Instant, under_way: LoadCase, state: &[Row]) -> Vec<f64> {
+        let gap = |tool: &Touched| {
+            tool.contact.least_gap(&tool.pose(at, under_way, &self.origin).moved, place(state))
+        };
+        self.tools.iter().map(gap).collect()
     }
 
     /// Force of all tools on a particle, for the forces last evaluated.
@@ -106,10 +176,12 @@ impl Tools {
         if under_way != LoadCase::Loading {
             return;
         }
-        for tool in self.tools.iter().filter(|tool| tool.moved != Vec3::zeros()) {
-            let moved = tool.moved_at(at, under_way) - self.origin;
-            let rate = tool.moved * tool.amplitude.value(at.time);
-            tool.contact.rates(&moved, &rate, place(state), |a, force| push(forces, a, &force));
+        for tool in self.tools.iter().filter(|tool| tool.motion != Pose::default()) {
+            let pose = tool.pose(at, under_way, &self.origin);
+            let share = tool.amplitude.value(at.time);
+            let rate = Pose { moved: tool.motion.moved * share, angle: tool.motion.angle * share };
+            let push = |a, force: Vec3| push(forces, a, &force);
+            tool.contact.rates(tool.friction.as_ref(), &pose, &rate, place(state), push);
         }
     }
 
@@ -122,8 +194,9 @@ impl Tools {
         put: &mut dyn FnMut(u32, u32, &Block),
     ) {
         for tool in &self.tools {
-            let moved = tool.moved_at(at, under_way) - self.origin;
-            tool.contact.tangent(&moved, place(state), |a, b, change| put(a, b, &place_block(0, 0, change)));
+            let pose = tool.pose(at, under_way, &self.origin);
+            let put = |a, b, change: &_| put(a, b, &place_block(0, 0, change));
+            tool.contact.tangent(tool.friction.as_ref(), &pose, place(state), put);
         }
     }
 
@@ -144,17 +217,81 @@ impl Tools {
         self.touches.iter().fold(0.0, |deepest, touch| touch.greatest_depth.max(deepest))
     }
 
+    /// Whether any of them has friction, whose anchors are history.
+    pub fn remember(&self) -> bool {
+        !self.lost.is_empty()
+    }
+
+    /// Energy that friction has taken at a particle until the last commit \[F L\].
+    pub fn lost_at(&self, particle: usize) -> f64 {
+        self.lost.get(particle).copied().unwrap_or_default()
+    }
+
+    /// Energy that friction took on the way to the forces last evaluated, from what was committed \[F L\].
+    pub fn lost(&self) -> f64 {
+        self.tools.iter().filter_map(|tool| tool.friction.as_ref()).map(Friction::lost).sum()
+    }
+
+    /// Commits the anchors of the forces last evaluated.
+    pub fn commit(&mut self) {
+        for Touched { contact, friction, .. } in &mut self.tools {
+            let Some(friction) = friction else { continue };
+            friction.commit(|vertex, energy| {
+                let vertex = &contact.surface.vertices()[vertex as usize];
+                vertex.nodes().iter().for_each(|&a| self.lost[a as usize] += energy * vertex.share());
+            });
+        }
+    }
+
+    /// The committed history: losses of all particles, then of each tool with friction the number of its anchors, and these.
+    pub fn history(&self) -> impl Iterator<Item = f64> {
+        let anchors = |friction: &Friction| {
+            let numbers: Vec<f64> = friction.numbers().collect();
+            std::iter::once((numbers.len() / ANCHOR) as f64).chain(numbers)
+        };
+        let of_tools = self.tools.iter().filter_map(|tool| tool.friction.as_ref()).flat_map(anchors);
+        self.lost.iter().copied().chain(of_tools)
+    }
+
+    /// Takes up a history; false, and nothing changed, if it is that of other tools.
+    pub fn take_up(&mut self, history: &[f64]) -> bool {
+        let Some((lost, mut rest)) = history.split_at_checked(self.lost.len()) else { return false };
+        let mut anchors = Vec::new();
+        for tool in self.tools.iter().filter(|tool| tool.friction.is_some()) {
+            let vertices = tool.contact.surface.vertices().len();
+            let Some((&count, after)) = rest.split_first() else { return false };
+            let Some((own, after)) = after.split_at_checked(count as usize * ANCHOR) else { return false };
+            let rows = own.as_chunks::<ANCHOR>().0;
+            if rows.iter().any(|row| row[0] < 0.0 || row[0] >= vertices as f64) {
+                return false;
+            }
+            anchors.push(rows);
+            rest = after;
+        }
+        if rest.is_empty() {
+            self.lost.copy_from_slice(lost);
+            let tools = self.tools.iter_mut().filter_map(|tool| tool.friction.as_mut());
+            tools.zip(anchors).for_each(|(friction, rows)| friction.take_up(rows));
+        }
+        rest.is_empty()
+    }
+
     /// Bytes that they hold.
     pub fn bytes(&self) -> usize {
-        let of = |tool: &Touched| size_of_val(tool.contact.surface.vertices());
-        self.tools.iter().map(of).sum::<usize>() + size_of_val(&self.forces[..])
+        let of = |tool: &Touched| {
+            size_of_val(tool.contact.surface.vertices())
+                + tool.watch.bytes()
+                + tool.friction.as_ref().map_or(0, Friction::bytes)
+        };
+        self.tools.iter().map(of).sum::<usize>() + size_of_val(&self.forces[..]) + size_of_val(&self.lost[..])
     }
 }
 
 impl Touched {
-    /// How far it has moved at an instant; it stands while a preload is brought up.
-    fn moved_at(&self, at: Instant, under_way: LoadCase) -> Vec3 {
-        self.moved * (LoadCase::Loading.factor(under_way, at.level) * self.amplitude.value(at.time))
+    /// How far it has moved and turned at an instant, from an origin; it stands while a preload is brought up.
+    fn pose(&self, at: Instant, under_way: LoadCase, origin: &Vec3) -> Pose {
+        let share = LoadCase::Loading.factor(under_way, at.level) * self.amplitude.value(at.time);
+        Pose { moved: self.motion.moved * share - origin, angle: self.motion.angle * share }
     }
 }
 

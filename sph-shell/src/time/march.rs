@@ -53,7 +53,7 @@ fn update_of<'a>(
 ) -> Update<'a> {
     Update {
         direct,
-        external: &loading.external,
+        external: loading.in_march(),
         masses,
         inertias,
         constraint_of: &constraints.of_particle,
@@ -85,7 +85,7 @@ impl Shell {
         }
         junctions.drift(motion, constraints, if DRIFT { step.drift() } else { 0.0 });
         ties.put(&mut motion.state);
-        evaluation.total_work(step, of_groups)
+        evaluation.total_work(step, of_groups, loading.tools.lost())
     }
 
     /// A step by the plan; external forces are already evaluated.
@@ -98,13 +98,14 @@ impl Shell {
         let update = update_of(moving, constraints, loading, &[], step);
         plan.advance(&sweep, &update, Rows { state, next, rates }, chunk_work);
         std::mem::swap(state, next);
-        evaluation.total_work(step, Work::default())
+        evaluation.total_work(step, Work::default(), loading.tools.lost())
     }
 }
 
 impl Evaluation {
-    /// Adds the work of all chunks, in their order whatever the threads, to what is there already.
-    fn total_work(&self, step: &Step, first: Work) -> Work {
+    /// Adds the work of all chunks, in their order whatever the threads, to what is there already; what friction took of the work of tools is
+    /// dissipated.
+    fn total_work(&self, step: &Step, first: Work, rubbed: f64) -> Work {
         let sum = self.chunk_work.iter().fold(first, |sum, part| Work {
             kinetic: sum.kinetic + part.kinetic,
             external: sum.external + part.external,
@@ -112,7 +113,11 @@ impl Evaluation {
             change: sum.change + part.change,
             resisted: sum.resisted + part.resisted,
         });
-        Work { dissipated: 2.0 * step.kick * step.damping * sum.kinetic, ..sum }
+        Work {
+            dissipated: 2.0 * step.kick * step.damping * sum.kinetic + rubbed,
+            external: sum.external + rubbed,
+            ..sum
+        }
     }
 }
 

@@ -28,6 +28,7 @@ impl Body for Shell {
             Measured::Displacement => self.displacement(a).dot(along),
             Measured::Position => self.position(a).dot(along),
             Measured::Reaction => self.reaction(a).dot(along),
+            Measured::FrictionLoss => self.friction_loss(a),
             Measured::ContactForce => self.tool_force(a).dot(along),
             Measured::Director | Measured::Rotation => self.director(a).dot(along),
             Measured::ReactionMoment => {
@@ -78,7 +79,7 @@ impl Body for Shell {
         };
         let (state, left) = state.numbers.as_chunks::<6>();
         let (rates, over) = rates.numbers.as_chunks::<6>();
-        let whole = left.is_empty() && over.is_empty() && history.len() == self.history().len();
+        let whole = left.is_empty() && over.is_empty();
         let fits = whole && self.take_up([state, rates]) && self.take_up_history(history);
         if fits { Ok(()) } else { Err(Mismatch) }
     }

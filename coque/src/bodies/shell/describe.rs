@@ -169,9 +169,13 @@ fn describe_load(word: &str, kind: &LoadKind) -> String {
 fn touched(tools: &[ToolScene], shell: &Shell) -> Vec<String> {
     let line = |(tool, stiffness): (&ToolScene, f64)| {
         let shape = tool.given().first().copied().unwrap_or_default();
-        let moves = if tool.moved.is_some_and(|moved| moved != [0.0; 3]) { ", which moves" } else { "" };
+        let moves = if tool.is_driven() { ", which moves" } else { "" };
+        let friction = match tool.friction.filter(|_| tool.is_rough()) {
+            Some(friction) => format!("with friction {}", friction.get()),
+            None => "without friction".into(),
+        };
         format!(
-            "contact with the {shape} `{}`{moves}, without friction, {stiffness:.3e} an area and depth",
+            "contact with the {shape} `{}`{moves}, {friction}, {stiffness:.3e} an area and depth",
             tool.name
         )
     };

@@ -83,6 +83,7 @@ impl Builder<'_> {
             }
             ShellError::Tool(_)
             | ShellError::ToolStiffness(_)
+            | ShellError::ToolFriction(_)
             | ShellError::ToolWithoutCells
             | ShellError::ToolOnOffset { .. } => of_body("tools"),
             ShellError::RegionsWithoutCells => of_body("formulation"),

@@ -37,6 +37,8 @@ impl Builder<'_> {
             Some(Tool {
                 shape: self.shape(tool)?,
                 moved: self.turned(tool.moved.unwrap_or_default()),
+                turn: tool.turn.unwrap_or_default(),
+                friction: tool.friction.map_or(0.0, |friction| friction.get()),
                 amplitude: tool.amplitude.clone().unwrap_or_default(),
                 law: Law::new(rounding)?,
                 stiffness: stiffness * tool.stiffness.map_or(1.0, |factor| factor.get()),
@@ -70,10 +72,13 @@ impl Builder<'_> {
     /// Refuses a shell that stands in a tool before anything moves.
     pub(super) fn refuse_in_tools(&self, shell: &mut Shell) -> Result<(), SceneError> {
         let half = 0.5 * shell.thickness();
-        let touches = shell.touch(Instant { time: 0.0, level: 0.0 });
-        for (i, (tool, touch)) in self.scene.shell.tools.iter().zip(touches).enumerate() {
+        let at = Instant { time: 0.0, level: 0.0 };
+        let gaps = shell.tool_gaps(at);
+        for (i, ((tool, touch), gap)) in
+            self.scene.shell.tools.iter().zip(shell.touch(at)).zip(gaps).enumerate()
+        {
             if touch.greatest_depth > TOUCHING {
-                let value = format!("`{}`, {:.4e} deep in the shell", tool.name, -touch.least_gap);
+                let value = format!("`{}`, {:.4e} deep in the shell", tool.name, -gap);
                 let bound = format!(
                     "off the face of the shell, half of its thickness ({half:.4e}) from its particles, or on it"
                 );

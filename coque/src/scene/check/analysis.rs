@@ -186,8 +186,7 @@ fn check_driver(scene: &BodyInScene<'_>) -> Verdict {
     let (s, what) = (&scene.scope(), scene.analysis.kind().name);
     let supports = scene.supports.iter().filter(|support| !support.preload);
     let motions = || supports.clone().filter_map(|support| Some((support, support.motion()?)));
-    let moved = |tool: &ToolScene| tool.moved.is_some_and(|moved| moved != [0.0; 3]);
-    if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(moved)) {
+    if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_driven)) {
         return Ok(());
     }
     if scene.loads.iter().any(|load| !load.preload) || motions().any(|(_, (_, by))| by != 0.0) {

@@ -12,6 +12,7 @@ use crate::scene::output::Output;
 use crate::scene::problem::BodyScene;
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
+use crate::scene::shell::tools::ToolScene;
 use crate::scene::solid::SolidScene;
 use crate::scene::units::Length;
 
@@ -141,8 +142,8 @@ fn check_unit(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
 fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
         BendingMoment, ContactForce, Damage, Density, Director, Displacement, Energy, Flux, Force,
-        FractureEnergy, Level, MembraneForce, Moment, Pieces, Position, Pressure, Reaction, ReactionMoment,
-        Rotation, ShearForce, StrainEnergy, Stress, Velocity, VonMises, WetLength,
+        FractureEnergy, FrictionLoss, Level, MembraneForce, Moment, Pieces, Position, Pressure, Reaction,
+        ReactionMoment, Rotation, ShearForce, StrainEnergy, Stress, Velocity, VonMises, WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
@@ -163,6 +164,9 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     }
     if scene.as_shell().is_some_and(|shell| !shell.tools.is_empty()) {
         known.push(ContactForce);
+    }
+    if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_rough)) {
+        known.push(FrictionLoss);
     }
     if solid.is_some() {
         known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);

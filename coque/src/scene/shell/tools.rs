@@ -4,9 +4,9 @@ use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::bounded::{Positive, Rounding};
+use crate::scene::bounded::{FrictionCoefficient, Positive, Rounding};
 
-/// A rigid, smooth tool of one shape. It pushes on both faces of the shell, whose mid-surface stands half a thickness off it when they
+/// A rigid tool of one shape, smooth unless `friction` is given. It pushes on both faces of the shell, whose mid-surface stands half a thickness off it when they
 /// touch.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -23,8 +23,13 @@ pub struct ToolScene {
     pub capsule: Option<ToolCapsule>,
     /// How far it has moved at level one \[L\]; left out, it stands.
     pub moved: Option<[f64; 3]>,
+    /// Angle by which it has turned about its axis at level one, of a plane about its normal through its point, of a capsule from the first of
+    /// its ends to the second \[rad\]; with `friction`, and not for balls.
+    pub turn: Option<f64>,
     /// What of that a time brings, in transient runs.
     pub amplitude: Option<Amplitude>,
+    /// Coefficient of friction μ \[–\]; left out, none.
+    pub friction: Option<FrictionCoefficient>,
     /// Factor on the stiffness of contact; left out, 1: the lesser of what the thickness gives, 2E/t, and of what shortens steps in time by
     /// a tenth at most.
     pub stiffness: Option<Positive>,
@@ -76,6 +81,16 @@ pub struct ToolCapsule {
 }
 
 impl ToolScene {
+    /// Whether it moves or turns.
+    pub(crate) fn is_driven(&self) -> bool {
+        self.moved.is_some_and(|moved| moved != [0.0; 3]) || self.turn.is_some_and(|angle| angle != 0.0)
+    }
+
+    /// Whether it has friction.
+    pub(crate) fn is_rough(&self) -> bool {
+        self.friction.is_some_and(|friction| friction.get() > 0.0)
+    }
+
     /// Keys of the shapes.
     pub(crate) const SHAPES: [&'static str; 4] = ["plane", "sphere", "cylinder", "capsule"];
 

@@ -45,12 +45,29 @@ pub(in crate::scene::check) fn check_tools(
         check_shape(tool, &own)?;
         if let Some(moved) = &tool.moved {
             own.sized_all("moved", moved)?;
-            check_course(scene, &s.path(&format!("tools[{i}]")), "moved", tool.amplitude.as_ref())?;
+        }
+        check_turn(tool, &own)?;
+        if let Some(word) = tool.moved.map(|_| "moved").or(tool.turn.map(|_| "turn")) {
+            check_course(scene, &s.path(&format!("tools[{i}]")), word, tool.amplitude.as_ref())?;
         } else if tool.amplitude.is_some() {
             let repair = "remove it, or add `moved`: only a tool that moves has a course in time";
             let fault = own.fault("amplitude", "a course in time", "none of a tool that stands", repair);
             return Err(SceneError::Choice(fault));
         }
+    }
+    Ok(())
+}
+
+/// Refuses turns that nothing feels, and turns without an axis.
+fn check_turn(tool: &ToolScene, s: &Scope<'_>) -> Verdict {
+    let Some(angle) = tool.turn else { return Ok(()) };
+    s.sized("turn", angle)?;
+    let refuse = |bound, repair| Err(SceneError::Choice(s.fault("turn", "a turn", bound, repair)));
+    if tool.sphere.is_some() {
+        return refuse("none of a ball, which has no axis", "use a capsule or a cylinder");
+    }
+    if !tool.is_rough() {
+        return refuse("none of a smooth tool, whose turn nothing feels", "add `friction`, or remove it");
     }
     Ok(())
 }
