@@ -52,13 +52,19 @@
 //! | turned and in other units the answer is the same | tests/relations.rs |
 #![warn(missing_docs)]
 
+mod euler;
 mod law;
+mod mesh;
+mod nearest;
+mod pair;
 mod stiffness;
 mod surface;
 mod tool;
 mod touch;
 
 pub use law::Law;
+pub use mesh::Mesh;
+pub use pair::Pair;
 pub use stiffness::stiffness;
 pub use surface::{Surface, Vertex};
 pub use tool::{Gap, ToolError, ToolShape};
