@@ -52,13 +52,16 @@
 //! | turned and in other units the answer is the same | tests/relations.rs |
 #![warn(missing_docs)]
 
+mod edges;
 mod euler;
 mod law;
+mod list;
 mod mesh;
 mod nearest;
 mod pair;
 mod stiffness;
 mod surface;
+mod surfaces;
 mod tool;
 mod touch;
 
@@ -67,5 +70,6 @@ pub use mesh::Mesh;
 pub use pair::Pair;
 pub use stiffness::stiffness;
 pub use surface::{Surface, Vertex};
+pub use surfaces::{Deepest, Node, SurfaceContact, SurfaceTouch, Touching};
 pub use tool::{Gap, ToolError, ToolShape};
 pub use touch::{ToolContact, Touch};

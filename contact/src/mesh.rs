@@ -153,8 +153,8 @@ pub(crate) struct Neighbours {
 impl Neighbours {
     /// Whether any of some vertices lies near a vertex.
     pub fn any(&self, vertex: u32, others: &[u32]) -> bool {
-        let own = &self.vertices
-            [self.firsts[vertex as usize] as usize..self.firsts[vertex as usize + 1] as usize];
+        let own =
+            &self.vertices[self.firsts[vertex as usize] as usize..self.firsts[vertex as usize + 1] as usize];
         others.iter().any(|other| own.binary_search(other).is_ok())
     }
 

@@ -115,7 +115,10 @@ mod tests {
             }
             assert!(square <= least + 1e-12 && square.sqrt() > least.sqrt() - 0.06, "{square} {least}");
             let (_, square) = of_segments([p, a], [b, c]);
-            assert!(square <= crossing + 1e-12 && square.sqrt() > crossing.sqrt() - 0.06, "{square} {crossing}");
+            assert!(
+                square <= crossing + 1e-12 && square.sqrt() > crossing.sqrt() - 0.06,
+                "{square} {crossing}"
+            );
         }
         assert!(parts.iter().all(|&count| count > 10), "{parts:?}");
     }

@@ -122,9 +122,11 @@ impl Pair {
 mod tests {
     use super::*;
 
+    type Kind = fn(&[Vec3]) -> Pair;
+
     /// Pairs of each kind with feet inside their features, from numbers without a pattern.
-    fn cases() -> Vec<(fn(&[Vec3]) -> Pair, Vec<Vec3>)> {
-        let kinds: [(fn(&[Vec3]) -> Pair, usize); 4] = [
+    fn cases() -> Vec<(Kind, Vec<Vec3>)> {
+        let kinds: [(Kind, usize); 4] = [
             (|x| Pair::points([x[0], x[1]]), 2),
             (|x| Pair::segment([x[0], x[1], x[2]]), 3),
             (|x| Pair::face([x[0], x[1], x[2], x[3]]), 4),
@@ -137,7 +139,8 @@ mod tests {
         let all = (0..60).flat_map(|seed| {
             kinds.map(|(kind, count)| (kind, (0..count).map(|a| place(seed, a)).collect::<Vec<_>>()))
         });
-        all.filter(|(kind, x)| kind(x).distance > 0.1 && kind(x).weights.iter().all(|w| w.abs() < 4.0)).collect()
+        all.filter(|(kind, x)| kind(x).distance > 0.1 && kind(x).weights.iter().all(|w| w.abs() < 4.0))
+            .collect()
     }
 
     /// Central differences of 1e-5: 2e-9 measured at most for slopes, 4e-8 for their change where weights are large.
@@ -162,7 +165,8 @@ mod tests {
                     let slope = (high.distance - low.distance) / (2.0 * h);
                     assert!((slope - pair.weights[b] * pair.normal[k]).abs() < 1e-8, "{slope}");
                     for (a, row) in second.iter().enumerate().take(places.len()) {
-                        let force = |pair: &Pair| pair.normal * (pair.weights[a] * 3.0 * pair.distance.powi(2));
+                        let force =
+                            |pair: &Pair| pair.normal * (pair.weights[a] * 3.0 * pair.distance.powi(2));
                         let change = (force(&high) - force(&low)) / (2.0 * h);
                         let error = (change - row[b].column(k)).norm() / (1.0 + change.norm());
                         assert!(error < 1e-7, "{places:?} {a} {b} {k}: {error:.1e}");
@@ -177,9 +181,10 @@ mod tests {
         for (kind, places) in cases() {
             let pair = kind(&places);
             assert!(pair.weights.iter().sum::<f64>().abs() < 1e-14);
-            let moment = places.iter().zip(&pair.weights).fold(Vec3::zeros(), |sum, (x, w)| {
-                sum + x.cross(&(pair.normal * *w))
-            });
+            let moment = places
+                .iter()
+                .zip(&pair.weights)
+                .fold(Vec3::zeros(), |sum, (x, w)| sum + x.cross(&(pair.normal * *w)));
             assert!(moment.norm() < 1e-14, "{moment}");
         }
     }
