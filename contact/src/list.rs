@@ -122,9 +122,9 @@ impl List {
         })
     }
 
-    /// Whether any pair may touch after such a way.
-    pub fn any_after(&self, way: f64) -> bool {
-        self.entries.iter().any(|entry| entry.gap <= way)
+    /// Whether nothing is near.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
     }
 
     /// Every part with each of its partners.

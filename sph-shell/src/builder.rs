@@ -9,6 +9,7 @@ use crate::conditions::constraints::Constraints;
 use crate::conditions::loads::AppliedLoad;
 use crate::conditions::springs::Springs;
 use crate::conditions::supports::Supported;
+use crate::conditions::own_contact::{OwnContact, SelfContact};
 use crate::conditions::tools::{Tool, Tools};
 use crate::dependents::Dependents;
 use crate::error::ShellError;
@@ -61,6 +62,7 @@ pub struct ShellBuilder {
     rigid: Vec<RigidSet>,
     springs: Springs,
     tools: Vec<Tool>,
+    own_contact: Option<OwnContact>,
     stresses: Vec<InitialStress>,
     stress_case: LoadCase,
     wetting: Option<Wetting>,
@@ -78,6 +80,7 @@ impl Shell {
             rigid: Vec::new(),
             springs: Springs::default(),
             tools: Vec::new(),
+            own_contact: None,
             stresses: Vec::new(),
             stress_case: LoadCase::Preload,
             wetting: None,
@@ -127,6 +130,11 @@ impl ShellBuilder {
         Self { tools, ..self }
     }
 
+    /// Lets the shell touch itself.
+    pub fn touching_itself(self, own_contact: OwnContact) -> Self {
+        Self { own_contact: Some(own_contact), ..self }
+    }
+
     /// Stresses of the unstrained shell; those of one cell add up. They belong to the preload.
     pub fn stresses(self, stresses: Vec<InitialStress>) -> Self {
         Self { stresses, ..self }
@@ -164,6 +172,7 @@ impl ShellBuilder {
             rigid,
             springs,
             tools,
+            own_contact,
             stresses,
             stress_case,
             wetting,
@@ -225,12 +234,20 @@ impl ShellBuilder {
             true => Tools::default(),
             false => Tools::new(tools, &reference, &material.half_thickness(&reference)?)?,
         };
+        if own_contact.is_some() && !ties.is_empty() {
+            return Err(ShellError::ContactOfTies);
+        }
+        let touching = own_contact.map(|own| {
+            let half = material.half_thickness(&reference)?;
+            SelfContact::new(&own, &reference, &half, ties.moving_masses(&reference)[0])
+        });
+        let own_contact = touching.transpose()?.map(Box::new);
         material.stress(&stresses, &reference, &mut points)?;
         let surface =
             wetting.map(|wetting| Surface::new(&reference, material.thickness(&reference), &wetting));
         let wetted = surface.transpose()?.map(Box::new);
         Ok(Shell {
-            loading: Loading::new(loads, springs, tools, wetted, reference.cloud.len()),
+            loading: Loading::new(loads, springs, tools, own_contact, wetted, reference.cloud.len()),
             motion: Moving::new(&reference),
             evaluation: Evaluation::new(&points, &reference, threads),
             dependents: Dependents { junctions, ties },

@@ -334,6 +334,7 @@ pub use conditions::springs::{BodySpring, Spring, SpringBetween, Springs, TurnSp
 pub use conditions::supports::{
     Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
+pub use conditions::own_contact::OwnContact;
 pub use conditions::tools::Tool;
 pub use conditions::turn::Turn;
 pub use conditions::turned::Turned;

@@ -1,6 +1,6 @@
 //! The shell: its motion, its forces, and what can be read from it.
 
-use contact::Touch;
+use contact::{Deepest, SurfaceTouch, Touch};
 use explicit_dynamics::{Exert, Instant, Push};
 use shell_kinematics::StrainMeasure;
 use sph_core::Vec3;
@@ -155,6 +155,7 @@ impl Shell {
     pub fn set_rate(&mut self, particle: usize, velocity: Vec3, director_rate: Vec3) {
         let d = self.director(particle);
         let tangent = director_rate - d * d.dot(&director_rate);
+        self.forget_contact();
         let (mut v, mut w) = (velocity.into(), tangent.into());
         let group = self.dependents.junctions.of(particle);
         let rigid = group.is_some_and(|group| group.body.is_some());
@@ -170,6 +171,7 @@ impl Shell {
     /// Puts a particle at a position with a director (made a unit vector); for tests and initial shapes.
     pub fn set_state(&mut self, particle: usize, position: Vec3, director: Vec3) {
         let (d, position) = (director.normalize(), position - self.reference.origin);
+        self.forget_contact();
         self.motion.state[particle] = [position.x, position.y, position.z, d.x, d.y, d.z];
     }
 
@@ -185,14 +187,38 @@ impl Shell {
         if fits {
             self.motion.state.copy_from_slice(state);
             self.motion.rates.copy_from_slice(rates);
+            self.forget_contact();
         }
         fits
+    }
+
+    /// Forgets what touches in the shell: it is put into another state.
+    fn forget_contact(&mut self) {
+        if let Some(own) = &mut self.loading.own_contact {
+            own.put();
+        }
+    }
+
+    /// What its contact with itself keeps beside [`Shell::motion`], a part of the state; empty without, and before anything was near.
+    pub fn contact_state(&self) -> Vec<f64> {
+        self.loading.own_contact.as_ref().map_or_else(Vec::new, |own| own.kept())
+    }
+
+    /// Takes up what [`Shell::contact_state`] gave, after the motion, to the same bits; false, and nothing changed, if it is that of another shell.
+    pub fn take_up_contact(&mut self, kept: &[f64]) -> bool {
+        match &mut self.loading.own_contact {
+            Some(own) => own.take_up(kept),
+            None => kept.is_empty(),
+        }
     }
 
     /// Commits what the present strains make of the history of sections with memory: of an accepted state, whose history is to last. Without
     /// memory nothing is done; marches and [`crate::StaticShell`] commit by themselves.
     pub fn commit(&mut self) {
-        let Self { points, material, motion, .. } = self;
+        let Self { points, material, motion, loading, .. } = self;
+        if let Some(own) = &mut loading.own_contact {
+            own.moved();
+        }
         points.commit(material.strain, &motion.state);
     }
 
@@ -323,6 +349,10 @@ impl Shell {
             let (place, what) = ("the shell".into(), "depth in a tool over half of the thickness");
             return Some(BoundViolation { place, what, value: depth, bound: "below one" });
         }
+        if let Some(value) = self.loading.own_contact.as_ref().and_then(|own| own.pressed()) {
+            let (place, what) = ("the shell, pressed through itself".into(), "step over the stable one");
+            return Some(BoundViolation { place, what, value, bound: "a hundredth at least" });
+        }
         self.points.first_bound_violation(&self.reference, &self.motion.state)
     }
 
@@ -332,14 +362,31 @@ impl Shell {
         self.touches()
     }
 
-    /// Whether there are tools that it may touch.
-    pub fn has_tools(&self) -> bool {
-        !self.loading.tools.is_empty()
+    /// Whether it may touch tools or itself.
+    pub fn may_touch(&self) -> bool {
+        self.loading.touches()
     }
 
-    /// Force of all tools on a particle \[F\], for the forces last evaluated.
-    pub fn tool_force(&self, particle: usize) -> Vec3 {
-        self.loading.tools.force(particle)
+    /// Force of all tools, and of the shell itself where it touches itself, on a particle \[F\], for the forces last evaluated.
+    pub fn contact_force(&self, particle: usize) -> Vec3 {
+        let own = self.loading.own_contact.as_ref().map(|own| own.force(particle));
+        self.loading.tools.force(particle) + own.unwrap_or_default()
+    }
+
+    /// What the shell does to itself, for the forces last evaluated; none where it may not touch itself.
+    pub fn own_touch(&self) -> Option<&SurfaceTouch> {
+        self.loading.own_contact.as_ref().map(|own| own.touch())
+    }
+
+    /// The two parts of it that are deepest in each other, for the forces last evaluated, their places from zero.
+    pub fn deepest_in_itself(&self) -> Option<Deepest> {
+        let found = self.loading.own_contact.as_ref()?.deepest(&self.motion.state)?;
+        Some(Deepest { places: found.places.map(|place| self.reference.from_zero(place)), ..found })
+    }
+
+    /// Stiffness of the contact with itself, of a unit of area \[F/L³\].
+    pub fn own_contact_stiffness(&self) -> Option<f64> {
+        self.loading.own_contact.as_ref().map(|own| own.stiffness())
     }
 
     /// Stiffness of the contact with each tool, of a unit of area \[F/L³\].
@@ -352,7 +399,7 @@ impl Shell {
         self.loading.tools.touches()
     }
 
-    /// The derivatives of all loads at a level, of the springs and of tools, block by block.
+    /// The derivatives of all loads at a level, of the springs and of contact, block by block.
     pub(crate) fn load_stiffness(&self, level: f64, put: &mut dyn FnMut(u32, u32, &Block)) {
         let body = self.dependents.loaded(&self.reference, &self.motion.state);
         self.loading.stiffness(level, &body, put);

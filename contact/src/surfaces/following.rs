@@ -34,10 +34,28 @@ impl SurfaceContact {
         }
     }
 
-    /// Whether anything may touch before two nodes have come nearer to each other by a way \[L\] than they are now.
-    pub fn may_touch_within(&self, way: f64) -> bool {
-        let way = self.way + way;
-        self.passes.iter().any(|pass| pass.list.any_after(way)) || self.crossings.any_after(way)
+    /// How far nodes may still come nearer to each other before anything is near enough to be listed \[L\]; none where something is.
+    pub fn left_alone(&self) -> Option<f64> {
+        let empty = self.passes.iter().all(|pass| pass.list.is_empty()) && self.crossings.is_empty();
+        empty.then_some(self.touching.skin - self.way)
+    }
+
+    /// Makes the lists that were made where nodes were, body by body as [`SurfaceContact::listed`] has them; false, and nothing changed,
+    /// if these are nodes of other bodies.
+    pub fn take_up(&mut self, listed: &[&[[f64; 3]]]) -> bool {
+        let fits = |(mesh, listed): (&Mesh, &&[[f64; 3]])| nodes_of(mesh).count() == listed.len();
+        if listed.len() != self.meshes.len() || !self.meshes.iter().zip(listed).all(fits) {
+            return false;
+        }
+        let place = |(mesh, listed): (&Mesh, &&[[f64; 3]])| {
+            let last = nodes_of(mesh).max().map_or(0, |a| a as usize + 1);
+            let mut places = vec![Vec3::zeros(); last];
+            nodes_of(mesh).zip(*listed).for_each(|(a, x)| places[a as usize] = Vec3::from(*x));
+            places
+        };
+        let places: Vec<Vec<Vec3>> = self.meshes.iter().zip(listed).map(place).collect();
+        self.list(|(body, a)| places[body][a as usize]);
+        true
     }
 
     /// Makes new lists where something has moved by half of the skin since the last.

@@ -5,6 +5,7 @@ pub(crate) mod constraints;
 pub(crate) mod couple;
 pub(crate) mod loads;
 pub(crate) mod preload;
+pub(crate) mod own_contact;
 pub(crate) mod prescribed;
 pub(crate) mod prescribed_at;
 pub(crate) mod pressure;

@@ -28,7 +28,7 @@ impl Body for Shell {
             Measured::Displacement => self.displacement(a).dot(along),
             Measured::Position => self.position(a).dot(along),
             Measured::Reaction => self.reaction(a).dot(along),
-            Measured::ContactForce => self.tool_force(a).dot(along),
+            Measured::ContactForce => self.contact_force(a).dot(along),
             Measured::Director | Measured::Rotation => self.director(a).dot(along),
             Measured::ReactionMoment => {
                 (self.position(a).cross(&self.reaction(a)) + self.reaction_moment(a)).dot(along)
@@ -143,7 +143,7 @@ impl<S: DerefMut<Target = Shell> + Send> StaticBody for StaticShell<S> {
     }
 
     fn opens_and_closes(&self) -> bool {
-        self.shell().has_tools()
+        self.shell().may_touch()
     }
 
     fn linear_reach(&self) -> f64 {
