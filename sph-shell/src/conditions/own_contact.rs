@@ -104,6 +104,15 @@ impl SelfContact {
         Ok(own)
     }
 
+    /// Says of contact what is said of tools that find no face.
+    pub fn refusal(error: ShellError) -> ShellError {
+        match error {
+            ShellError::ToolWithoutCells => ShellError::ContactWithoutCells,
+            ShellError::ToolOnOffset { cell } => ShellError::ContactOnOffset { cell },
+            error => error,
+        }
+    }
+
     /// Adds the forces of contact in a state.
     pub fn add(&mut self, state: &[Row], forces: &mut [Row]) {
         self.look(state);
@@ -258,7 +267,11 @@ impl SelfContact {
 
     /// Greatest row over the mass of its particle \[1/T²\].
     fn greatest_row(&self, masses: &[f64]) -> f64 {
-        self.rows.iter().zip(masses).filter(|(row, _)| **row > 0.0).fold(0.0, |most, (row, m)| (row / m).max(most))
+        self.rows
+            .iter()
+            .zip(masses)
+            .filter(|(row, _)| **row > 0.0)
+            .fold(0.0, |most, (row, m)| (row / m).max(most))
     }
 }
 

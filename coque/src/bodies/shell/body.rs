@@ -16,6 +16,9 @@ use crate::bodies::sampled::POINT_NUMBERS;
 use crate::bodies::{FieldRequest, FieldSource, Resultant};
 use crate::scene::Measured;
 
+/// What a checkpoint calls the lists of a shell that touches itself.
+const CONTACT: &str = "where contact was looked for";
+
 impl Body for Shell {
     fn configuration(&self) -> Configuration<'_> {
         let cloud = &self.reference().cloud;
@@ -65,12 +68,18 @@ impl Body for Shell {
         let history = Some(self.history()).filter(|history| !history.is_empty());
         let history = history
             .map(|numbers| StateArray { name: "history of the points".into(), numbers: numbers.into() });
-        motion.into_iter().chain(history).collect()
+        let contact = Some(self.contact_state()).filter(|kept| !kept.is_empty());
+        let contact = contact.map(|numbers| StateArray { name: CONTACT.into(), numbers: numbers.into() });
+        motion.into_iter().chain(history).chain(contact).collect()
     }
 
     fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
         let (motion, history) = arrays.split_at_checked(2).ok_or(Mismatch)?;
         let [state, rates] = motion else { return Err(Mismatch) };
+        let (history, contact) = match history {
+            [history @ .., contact] if contact.name == CONTACT => (history, &contact.numbers[..]),
+            history => (history, &[][..]),
+        };
         let history = match history {
             [] => &[][..],
             [history] => &history.numbers,
@@ -79,7 +88,8 @@ impl Body for Shell {
         let (state, left) = state.numbers.as_chunks::<6>();
         let (rates, over) = rates.numbers.as_chunks::<6>();
         let whole = left.is_empty() && over.is_empty() && history.len() == self.history().len();
-        let fits = whole && self.take_up([state, rates]) && self.take_up_history(history);
+        let motion = whole && self.take_up([state, rates]) && self.take_up_history(history);
+        let fits = motion && self.take_up_contact(contact);
         if fits { Ok(()) } else { Err(Mismatch) }
     }
 }

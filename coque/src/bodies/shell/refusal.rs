@@ -85,6 +85,11 @@ impl Builder<'_> {
             | ShellError::ToolStiffness(_)
             | ShellError::ToolWithoutCells
             | ShellError::ToolOnOffset { .. } => of_body("tools"),
+            ShellError::ContactStiffness(_)
+            | ShellError::ContactOfThicknesses { .. }
+            | ShellError::ContactWithoutCells
+            | ShellError::ContactOnOffset { .. }
+            | ShellError::ContactOfTies => "contact[0]".into(),
             ShellError::RegionsWithoutCells => of_body("formulation"),
             ShellError::WetFromAfar => of_body("geometry"),
             ShellError::NoSuchParticle { .. }
