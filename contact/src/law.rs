@@ -23,6 +23,9 @@ pub struct Law {
 }
 
 impl Law {
+    /// The law without rounding.
+    pub const SHARP: Self = Self { rounding: 0.0 };
+
     /// A law with the rounding b \[–\] of its corner, from zero to an eighth, so that it ends before the barrier begins.
     pub fn new(rounding: f64) -> Option<Self> {
         (0.0..=0.125).contains(&rounding).then_some(Self { rounding })

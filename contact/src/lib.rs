@@ -59,20 +59,30 @@
 //! | turned and in other units the answer is the same | tests/relations.rs |
 #![warn(missing_docs)]
 
+mod edges;
+mod euler;
 mod friction;
 mod law;
+mod list;
+mod mesh;
+mod nearest;
+mod pair;
 mod pose;
 mod stiffness;
 mod surface;
+mod surfaces;
 mod tool;
 mod touch;
 mod watch;
 
 pub use friction::Friction;
 pub use law::Law;
+pub use mesh::Mesh;
+pub use pair::Pair;
 pub use pose::Pose;
 pub use stiffness::stiffness;
 pub use surface::{Surface, Vertex};
+pub use surfaces::{Deepest, Node, SurfaceContact, SurfaceTouch, Touching};
 pub use tool::{Face, Gap, ToolError, ToolShape};
 pub use touch::{ToolContact, Touch};
 pub use watch::Watch;

@@ -105,7 +105,7 @@ impl Clock {
         level: impl Fn(f64) -> f64,
     ) -> Result<(), MarchError> {
         self.renew(system)?;
-        let step = self.next_step(limit, level);
+        let step = self.next_step(system, limit, level);
         let work = system.advance(&step);
         self.finish(system, &step, work)
     }
@@ -128,8 +128,14 @@ impl Clock {
     /// Largest step that still ends at or before `limit` from now, without a sliver left over: all steps up to there are
     /// equal. Where the limit is a whole number of steps away, rounding would make it one more: steps would shrink in front
     /// of every record, and such a rhythm feeds the fast modes (central differences keep energy for equal steps only).
-    pub(crate) fn next_step(&self, limit: f64, level: impl Fn(f64) -> f64) -> Step {
-        let dt = if limit.is_finite() { limit / (limit / self.dt - SLIVER).ceil().max(1.0) } else { self.dt };
+    pub(crate) fn next_step<S: Dynamics + ?Sized>(
+        &self,
+        system: &mut S,
+        limit: f64,
+        level: impl Fn(f64) -> f64,
+    ) -> Step {
+        let most = system.shortened(self.dt, self.safety);
+        let dt = if limit.is_finite() { limit / (limit / most - SLIVER).ceil().max(1.0) } else { most };
         let time = self.now.time + dt;
         Step {
             from: self.now,

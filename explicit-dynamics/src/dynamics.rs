@@ -41,6 +41,12 @@ pub trait Dynamics {
     /// [`MarchError::NoStableStep`].
     fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError>;
 
+    /// The step to take next, at most the stable one \[T\], which was found with a safety \[–\]: shorter where something comes that no
+    /// spectrum knows beforehand, such as parts that are about to meet. Asked for before every step, once.
+    fn shortened(&mut self, stable: f64, _safety: f64) -> f64 {
+        stable
+    }
+
     /// Refuses a motion too fast, or a configuration outside the range of the model.
     ///
     /// # Errors

@@ -35,7 +35,7 @@ impl Clock {
         self.renew(system)?;
         self.evaluate(system);
         let level = self.now.level;
-        let step = self.next_step(limit, |_| level);
+        let step = self.next_step(system, limit, |_| level);
         // The first kick starts at its instant, the others have it in their middle: a kick of no span shows the
         // velocities as they were given. Another before it lets supports give theirs, at once, and counts what that takes.
         let still = (self.steps == 0).then(|| {

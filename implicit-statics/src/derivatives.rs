@@ -67,6 +67,7 @@ fn out_of_balance<E: Equilibrium>(system: &mut E, level: f64) -> Vec<f64> {
 
 /// The symmetric tangent times a direction.
 fn product<E: Equilibrium>(system: &mut E, level: f64, direction: &[f64]) -> Vec<f64> {
+    system.pattern_changed(level);
     let pattern = system.pattern();
     let mut values = vec![0.0; pattern.len()];
     system.tangent(level, &mut values);

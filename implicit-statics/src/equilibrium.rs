@@ -13,8 +13,14 @@ pub trait Equilibrium {
 
     /// Positions `(row, column)` of the tangent's entries, lower triangle with the whole diagonal, each once.
     ///
-    /// Known beforehand and the same for every state; the tangent's values come in this order.
+    /// The same for every state until [`Equilibrium::pattern_changed`] says otherwise; the tangent's values come in this order.
     fn pattern(&self) -> Vec<(usize, usize)>;
+
+    /// Whether the tangent of the present state, held values at level λ, has another pattern than the one before: where parts that touch
+    /// have found other partners. Asked for before the tangent; false, the default, where the pattern is known beforehand.
+    fn pattern_changed(&mut self, _level: f64) -> bool {
+        false
+    }
 
     /// Places of the unknowns, in units in which they couple about equally far along all axes: the factor is then ordered by
     /// them. Worth it where every unknown couples with very many others; None, the default, orders by the pattern alone.
@@ -81,6 +87,7 @@ pub trait Equilibrium {
     /// tangent; a model may do without. Where parts turn far, unknowns that turn into each other take the largest sum of
     /// theirs: equal masses commute with rotations, and the bound holds on the way.
     fn row_sums(&mut self, level: f64, out: &mut [f64]) {
+        self.pattern_changed(level);
         let pattern = self.pattern();
         let mut values = vec![0.0; pattern.len()];
         self.tangent(level, &mut values);

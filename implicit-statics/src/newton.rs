@@ -142,6 +142,9 @@ impl Newton {
         level: f64,
     ) -> Result<Inertia, EquilibriumError> {
         if self.factored != Some(level) {
+            if system.pattern_changed(level) {
+                self.analyse(system)?;
+            }
             system.tangent(level, &mut self.values);
             self.solver.factor(&self.values)?;
             self.effort.factorisations += 1;
@@ -149,6 +152,16 @@ impl Newton {
             self.most_negative = self.most_negative.max(self.solver.inertia().negative);
         }
         Ok(self.solver.inertia())
+    }
+
+    /// Reads another pattern and analyses it; the sense of scale stays.
+    fn analyse<E: Equilibrium + ?Sized>(&mut self, system: &E) -> Result<(), EquilibriumError> {
+        let (n, pattern) = (system.unknowns(), system.pattern());
+        let mut solver = SymmetricSolver::placed(n, &pattern, system.coordinates().as_deref())?;
+        solver.refer_to(self.solver.first_stiffness());
+        self.values.resize(pattern.len(), 0.0);
+        self.solver = solver;
+        Ok(())
     }
 
     /// The signs of the pivots of the last factor.

@@ -7,6 +7,7 @@ use crate::Shell;
 use crate::conditions::case::LoadCase;
 use crate::conditions::constraints::Constraints;
 use crate::conditions::loads::AppliedLoad;
+use crate::conditions::own_contact::{OwnContact, SelfContact};
 use crate::conditions::springs::Springs;
 use crate::conditions::supports::Supported;
 use crate::conditions::tools::{Tool, Tools};
@@ -61,6 +62,7 @@ pub struct ShellBuilder {
     rigid: Vec<RigidSet>,
     springs: Springs,
     tools: Vec<Tool>,
+    own_contact: Option<OwnContact>,
     stresses: Vec<InitialStress>,
     stress_case: LoadCase,
     wetting: Option<Wetting>,
@@ -78,6 +80,7 @@ impl Shell {
             rigid: Vec::new(),
             springs: Springs::default(),
             tools: Vec::new(),
+            own_contact: None,
             stresses: Vec::new(),
             stress_case: LoadCase::Preload,
             wetting: None,
@@ -127,6 +130,11 @@ impl ShellBuilder {
         Self { tools, ..self }
     }
 
+    /// Lets the shell touch itself, if there is a way how.
+    pub fn touching_itself(self, own_contact: impl Into<Option<OwnContact>>) -> Self {
+        Self { own_contact: own_contact.into(), ..self }
+    }
+
     /// Stresses of the unstrained shell; those of one cell add up. They belong to the preload.
     pub fn stresses(self, stresses: Vec<InitialStress>) -> Self {
         Self { stresses, ..self }
@@ -151,7 +159,8 @@ impl ShellBuilder {
     /// cells in two regions; edges too far from their hosts, on too few of their cells, without particles of their own, with supports
     /// that the host does not have, ties in a circle; masses that are not positive and finite; rigid sets that meet each other, stand on one
     /// line along a normal, hold a particle that is supported, tied to a cell, or of a junction only in part; springs without a stiffness, along a
-    /// director, or of one particle; tools without sense, on shells without cells or with sections over or below their particles; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
+    /// director, or of one particle; tools without sense, on shells without cells or with sections over or below their particles; contact of a shell with itself where its
+    /// thickness is not one, edges are tied or it has no stiffness; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
     /// plane problem of a shell that is no strip across the plane; and regions, ties, rigid sets, stresses and sections with memory where
     /// strains are not sampled in cells, the last together with regions and stresses too.
     pub fn build(self) -> Result<Shell, ShellError> {
@@ -164,6 +173,7 @@ impl ShellBuilder {
             rigid,
             springs,
             tools,
+            own_contact,
             stresses,
             stress_case,
             wetting,
@@ -225,12 +235,20 @@ impl ShellBuilder {
             true => Tools::default(),
             false => Tools::new(tools, &reference, &material.half_thickness(&reference)?)?,
         };
+        if own_contact.is_some() && !ties.is_empty() {
+            return Err(ShellError::ContactOfTies);
+        }
+        let touching = own_contact.map(|own| {
+            let half = material.half_thickness(&reference).map_err(SelfContact::refusal)?;
+            SelfContact::new(&own, &reference, &half, ties.moving_masses(&reference)[0])
+        });
+        let own_contact = touching.transpose()?.map(Box::new);
         material.stress(&stresses, &reference, &mut points)?;
         let surface =
             wetting.map(|wetting| Surface::new(&reference, material.thickness(&reference), &wetting));
         let wetted = surface.transpose()?.map(Box::new);
         Ok(Shell {
-            loading: Loading::new(loads, springs, tools, wetted, reference.cloud.len()),
+            loading: Loading::new(loads, springs, tools, own_contact, wetted, reference.cloud.len()),
             motion: Moving::new(&reference),
             evaluation: Evaluation::new(&points, &reference, threads),
             dependents: Dependents { junctions, ties },

@@ -48,6 +48,35 @@ pub enum ShellError {
         /// The first such cell.
         cell: usize,
     },
+    /// Contact that pushes with no stiffness.
+    #[error("a contact has the stiffness {0}; it must be positive and finite")]
+    ContactStiffness(f64),
+    /// Contact of a shell that is particles alone with itself.
+    #[error("contact is that of cells, and the cloud has none; give it cells, or leave the contact out")]
+    ContactWithoutCells,
+    /// Contact of sections that do not lie in the middle of their particles.
+    #[error(
+        "contact reckons with half of the thickness on both sides of the particles, but the section of cell {cell} lies over or below them; give it no height"
+    )]
+    ContactOnOffset {
+        /// The first such cell.
+        cell: usize,
+    },
+    /// Contact of a shell with itself where its thickness is not one.
+    #[error(
+        "a shell that touches itself has one thickness, this one goes from {least:.4e} to {most:.4e}; give its parts one, or leave the contact out"
+    )]
+    ContactOfThicknesses {
+        /// Least thickness \[L\].
+        least: f64,
+        /// Greatest thickness \[L\].
+        most: f64,
+    },
+    /// Contact of a shell with itself whose edges lie on its own cells.
+    #[error(
+        "edges that are tied lie on the cells below them, which contact of the shell with itself would push away; join the sheets at a junction, or leave the contact out"
+    )]
+    ContactOfTies,
     /// Ties under a formulation that is not sampled at cells.
     #[error("ties hang particles on cells; use the formulation stress-point with the support cell")]
     TieOfWideStencils,

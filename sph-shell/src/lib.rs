@@ -310,6 +310,7 @@ mod shell;
 mod statics;
 mod ties;
 mod time;
+mod touching;
 mod turning;
 mod wetted;
 
@@ -325,6 +326,7 @@ pub use builder::{Parts, ShellBuilder};
 pub use conditions::case::LoadCase;
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
 pub use conditions::loads::{AppliedLoad, Block, Body, Force, Gravity, Load, place_block};
+pub use conditions::own_contact::OwnContact;
 pub use conditions::preload::Preloaded;
 pub use conditions::prescribed::{Motion, Rotation};
 pub use conditions::pressure::{Pressure, PressurePatch};

@@ -5,6 +5,7 @@ use sph_core::Vec3;
 
 use crate::conditions::case::LoadCase;
 use crate::conditions::loads::{AppliedLoad, Block, Body};
+use crate::conditions::own_contact::SelfContact;
 use crate::conditions::springs::Springs;
 use crate::conditions::tools::Tools;
 use crate::dependents::Dependents;
@@ -15,7 +16,7 @@ use crate::packs::Row;
 use crate::reference::Reference;
 use crate::wetted::surface::Surface;
 
-/// Loads, springs, tools and the wet surface, with their forces as last evaluated.
+/// Loads, springs, contact and the wet surface, with their forces as last evaluated.
 pub(crate) struct Loading {
     pub loads: Vec<AppliedLoad>,
     /// The load case that is under way.
@@ -23,6 +24,8 @@ pub(crate) struct Loading {
     pub springs: Springs,
     /// What the shell may touch.
     pub tools: Tools,
+    /// The shell as it touches itself.
+    pub own_contact: Option<Box<SelfContact>>,
     /// What a fluid wets.
     pub wetted: Option<Box<Surface>>,
     /// Forces that a function exerts.
@@ -50,18 +53,21 @@ impl Loading {
         loads: Vec<AppliedLoad>,
         springs: Springs,
         tools: Tools,
+        own_contact: Option<Box<SelfContact>>,
         wetted: Option<Box<Surface>>,
         particles: usize,
     ) -> Self {
         let rows = |wanted: bool| vec![[0.0; 6]; if wanted { particles } else { 0 }];
+        let acts = !loads.is_empty() || !springs.is_empty() || !tools.is_empty();
         Self {
-            external: rows(!loads.is_empty() || !springs.is_empty() || !tools.is_empty() || wetted.is_some()),
+            external: rows(acts || own_contact.is_some() || wetted.is_some()),
             spring_forces: rows(springs.any_on_particles()),
             idle: false,
             case: LoadCase::Loading,
             loads,
             springs,
             tools,
+            own_contact,
             wetted,
             push: None,
         }
@@ -150,13 +156,14 @@ impl Loading {
             && self.spring_forces.is_empty()
             && self.wetted.is_none()
             && self.push.is_none()
+            && self.own_contact.is_none()
             && dependents.is_empty();
         if tools_alone && !touching && self.idle {
             return;
         }
         self.idle = tools_alone && !touching;
         self.evaluate_bodies(now.is_some(), &scale, reference, &mut dependents.junctions, &motion.state);
-        let Self { loads, case, springs, tools, wetted, push, external, spring_forces, .. } = self;
+        let Self { loads, case, springs, tools, own_contact, wetted, push, external, spring_forces, .. } = self;
         let body = dependents.loaded(reference, &motion.state);
         external.fill([0.0; 6]);
         for applied in loads.iter() {
@@ -179,7 +186,12 @@ impl Loading {
             }
         }
         match part {
-            Part::Whole(_) => tools.add(external),
+            Part::Whole(_) => {
+                tools.add(external);
+                if let Some(own) = own_contact {
+                    own.add(&motion.state, external);
+                }
+            }
             Part::Rate { level } => {
                 tools.add_rates(Instant { time: 0.0, level }, *case, &motion.state, external)
             }
@@ -215,7 +227,8 @@ impl Loading {
         }
     }
 
-    /// The derivatives of all loads at a level, of the springs on particles and of what tools exert, block by block.
+    /// The derivatives of all loads at a level, of the springs on particles, of what tools and of what the shell exerts on itself, block by
+    /// block; the last for the forces last evaluated.
     pub fn stiffness(&self, level: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
         for applied in &self.loads {
             let scale = applied.scale(Instant { time: 0.0, level }, self.case);
@@ -223,6 +236,9 @@ impl Loading {
         }
         self.springs.stiffness(body, put);
         self.tools.stiffness(Instant { time: 0.0, level }, self.case, body.state, put);
+        if let Some(own) = &self.own_contact {
+            own.tangent(body.state, put);
+        }
     }
 
     /// Couples of the loads on rigid bodies at level one, with the particle that stands for each body \[F L\].
@@ -239,10 +255,24 @@ impl Loading {
         couples.filter(|(_, couple)| *couple != Vec3::zeros()).collect()
     }
 
+    /// Whether the shell may touch anything, itself or a tool.
+    pub fn touches(&self) -> bool {
+        !self.tools.is_empty() || self.own_contact.is_some()
+    }
+
+    /// Adds the forces of contact that a small motion from a state meets at most, as if all of the shell touched.
+    pub fn add_contact_bounds(&self, state: &[Row], home: &[Row], forces: &mut [Row]) {
+        self.tools.add_bounds(state, home, forces);
+        if let Some(own) = &self.own_contact {
+            own.add_bounds(state, home, forces);
+        }
+    }
+
     /// Bytes of the rows and of the wet surface.
     pub fn bytes(&self) -> usize {
         size_of::<Row>() * (self.external.len() + self.spring_forces.len())
             + self.tools.bytes()
+            + self.own_contact.as_ref().map_or(0, |own| own.bytes())
             + self.wetted.as_ref().map_or(0, |surface| surface.bytes())
             + self.push.as_ref().map_or(0, |push| push.bytes())
     }

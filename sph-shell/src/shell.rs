@@ -1,6 +1,5 @@
 //! The shell: its motion, its forces, and what can be read from it.
 
-use contact::Touch;
 use explicit_dynamics::{Exert, Instant, Push};
 use shell_kinematics::StrainMeasure;
 use sph_core::Vec3;
@@ -155,6 +154,7 @@ impl Shell {
     pub fn set_rate(&mut self, particle: usize, velocity: Vec3, director_rate: Vec3) {
         let d = self.director(particle);
         let tangent = director_rate - d * d.dot(&director_rate);
+        self.forget_contact();
         let (mut v, mut w) = (velocity.into(), tangent.into());
         let group = self.dependents.junctions.of(particle);
         let rigid = group.is_some_and(|group| group.body.is_some());
@@ -171,6 +171,7 @@ impl Shell {
     pub fn set_state(&mut self, particle: usize, position: Vec3, director: Vec3) {
         let (d, position) = (director.normalize(), position - self.reference.origin);
         self.loading.tools.forget();
+        self.forget_contact();
         self.motion.state[particle] = [position.x, position.y, position.z, d.x, d.y, d.z];
     }
 
@@ -187,6 +188,7 @@ impl Shell {
             self.loading.tools.forget();
             self.motion.state.copy_from_slice(state);
             self.motion.rates.copy_from_slice(rates);
+            self.forget_contact();
         }
         fits
     }
@@ -195,6 +197,9 @@ impl Shell {
     /// an accepted state, whose history is to last. Without memory and friction nothing is done; marches and [`crate::StaticShell`] commit by themselves.
     pub fn commit(&mut self) {
         let Self { points, material, motion, loading, .. } = self;
+        if let Some(own) = &mut loading.own_contact {
+            own.moved();
+        }
         points.commit(material.strain, &motion.state);
         loading.tools.commit();
     }
@@ -335,41 +340,14 @@ impl Shell {
             let (place, what) = ("the shell".into(), "depth in a tool over half of the thickness");
             return Some(BoundViolation { place, what, value: depth, bound: "below one" });
         }
+        if let Some(value) = self.loading.own_contact.as_ref().and_then(|own| own.pressed()) {
+            let (place, what) = ("the shell, pressed through itself".into(), "step over the stable one");
+            return Some(BoundViolation { place, what, value, bound: "a hundredth at least" });
+        }
         self.points.first_bound_violation(&self.reference, &self.motion.state)
     }
 
-    /// Evaluates loads and tools at an instant; what each tool and the shell do to each other there.
-    pub fn touch(&mut self, at: Instant) -> &[Touch] {
-        self.evaluate_external(at);
-        self.touches()
-    }
-
-    /// Least gaps between its faces and those of each tool at an instant \[L\], negative where they are in each other.
-    pub fn tool_gaps(&self, at: Instant) -> Vec<f64> {
-        self.loading.tools.least_gaps(at, self.loading.case, &self.motion.state)
-    }
-
-    /// Whether there are tools that it may touch.
-    pub fn has_tools(&self) -> bool {
-        !self.loading.tools.is_empty()
-    }
-
-    /// Force of all tools on a particle \[F\], for the forces last evaluated.
-    pub fn tool_force(&self, particle: usize) -> Vec3 {
-        self.loading.tools.force(particle)
-    }
-
-    /// Stiffness of the contact with each tool, of a unit of area \[F/L³\].
-    pub fn tool_stiffness(&self) -> impl Iterator<Item = f64> {
-        self.loading.tools.stiffnesses()
-    }
-
-    /// What each tool and the shell do to each other, for the forces last evaluated, in the order in which tools were given.
-    pub fn touches(&self) -> &[Touch] {
-        self.loading.tools.touches()
-    }
-
-    /// The derivatives of all loads at a level, of the springs and of tools, block by block.
+    /// The derivatives of all loads at a level, of the springs and of contact, block by block.
     pub(crate) fn load_stiffness(&self, level: f64, put: &mut dyn FnMut(u32, u32, &Block)) {
         let body = self.dependents.loaded(&self.reference, &self.motion.state);
         self.loading.stiffness(level, &body, put);

@@ -185,9 +185,13 @@ impl<'a> BodyInScene<'a> {
     pub(crate) fn sole_motion(&self) -> Option<usize> {
         let mut motions = (0..self.supports.len()).filter(|&i| self.supports[i].motion().is_some());
         let first = motions.next().filter(|&i| self.supports[i].moved.is_some());
-        let touched = self.as_shell().is_some_and(|shell| !shell.tools.is_empty());
-        let alone = self.loads.is_empty() && motions.next().is_none() && !touched;
+        let alone = self.loads.is_empty() && motions.next().is_none() && !self.may_touch();
         first.filter(|_| alone && self.analysis.kind().seeks_force)
+    }
+
+    /// Whether it is a shell that may touch tools or itself.
+    pub(crate) fn may_touch(&self) -> bool {
+        self.as_shell().is_some_and(|shell| !(shell.tools.is_empty() && self.scene.contact.is_empty()))
     }
 
     /// Whether the shell has stresses of its own at the start.

@@ -113,7 +113,7 @@ pub enum Measured {
     Position,
     /// Component of the force that the supports exert \[F\].
     Reaction,
-    /// Component of the force that its tools exert on a shell \[F\].
+    /// Component of the force that its tools, and a shell that touches itself, exert on it \[F\]; of all of a shell its own forces cancel.
     ContactForce,
     /// Energy that friction on tools has taken of a shell \[F L\].
     FrictionLoss,

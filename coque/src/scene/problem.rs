@@ -9,6 +9,7 @@ use serde::Deserialize;
 
 use super::analysis::Analysis;
 use super::column_unit::ColumnUnit;
+use super::contact::ContactScene;
 use super::coupling::Coupling;
 use super::curve::{Measured, Probe};
 use super::fluid::FluidScene;
@@ -46,6 +47,9 @@ pub struct Scene {
     /// Loads.
     #[serde(default)]
     pub loads: Vec<Load>,
+    /// Surfaces that may touch.
+    #[serde(default)]
+    pub contact: Vec<ContactScene>,
     /// How to find answers.
     pub analysis: Analysis,
     /// How a fluid and the structures in it take turns.

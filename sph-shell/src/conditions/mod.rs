@@ -4,6 +4,7 @@ pub(crate) mod case;
 pub(crate) mod constraints;
 pub(crate) mod couple;
 pub(crate) mod loads;
+pub(crate) mod own_contact;
 pub(crate) mod preload;
 pub(crate) mod prescribed;
 pub(crate) mod prescribed_at;

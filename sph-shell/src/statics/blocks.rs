@@ -53,6 +53,9 @@ impl ShellPattern {
             }
         }
         shell.load_stiffness(1.0, &mut |a, b, _| rows[a.max(b) as usize].push(a.min(b)));
+        if let Some(own) = &shell.loading.own_contact {
+            own.pattern(|a, b| rows[a.max(b) as usize].push(a.min(b)));
+        }
         for [a, b] in shell.body_springs().pairs() {
             rows[a.max(b) as usize].push(a.min(b));
         }

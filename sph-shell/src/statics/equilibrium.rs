@@ -23,6 +23,11 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         out
     }
 
+    fn pattern_changed(&mut self, level: f64) -> bool {
+        self.put(level);
+        self.follow_contact()
+    }
+
     /// Those of the particles at rest.
     fn coordinates(&self) -> Option<Vec<[f64; 3]>> {
         let rest = &self.shell.reference.cloud.positions;
@@ -131,6 +136,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 
     /// One sum for the translations of a particle and one for its turns: the stiff directions turn with the shell.
     fn row_sums(&mut self, level: f64, out: &mut [f64]) {
+        self.pattern_changed(level);
         let pattern = self.pattern();
         let mut values = vec![0.0; pattern.len()];
         self.tangent(level, &mut values);

@@ -25,6 +25,8 @@ pub struct StaticShell<S = Box<Shell>> {
     pub(crate) blocks: Vec<Block>,
     /// First entry of the rows of each particle in the pattern of the unknowns, and the end.
     entries: Vec<usize>,
+    /// Lists of what is near itself that the shell had made when the pattern was read.
+    lists: u64,
     /// Particles with a prescribed displacement or rotation.
     pub(crate) moved: Vec<u32>,
     /// Directions of the unknowns of all particles in the present state, after it was carried or turned there; else none.
@@ -50,7 +52,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let (dofs, pattern) = (DofMap::new(&shell), ShellPattern::new(&shell));
         let blocks = vec![[[0.0; 6]; 6]; pattern.pairs.blocks()];
         let entries = entries(&dofs, &pattern.pairs);
-        Self { shell, dofs, pattern, blocks, entries, moved: Vec::new(), carried: Vec::new() }
+        Self { shell, dofs, pattern, blocks, entries, lists: 0, moved: Vec::new(), carried: Vec::new() }
     }
 
     /// The shell in its present state; its forces are those last evaluated.
@@ -81,6 +83,22 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let mut weights = vec![0.0; self.dofs.count()];
         self.project(|a| rows[a], &mut weights);
         weights
+    }
+
+    /// Reads the pattern anew where the shell has made another list of what is near itself; whether it did.
+    pub(super) fn follow_contact(&mut self) -> bool {
+        let Shell { loading, motion, .. } = &mut *self.shell;
+        let Some(lists) = loading.own_contact.as_mut().map(|own| own.lists(&motion.state)) else {
+            return false;
+        };
+        let changed = lists != self.lists;
+        if changed {
+            self.lists = lists;
+            self.pattern = ShellPattern::new(&self.shell);
+            self.blocks = vec![[[0.0; 6]; 6]; self.pattern.pairs.blocks()];
+            self.entries = entries(&self.dofs, &self.pattern.pairs);
+        }
+        changed
     }
 
     /// Number of entries of the pattern of the unknowns.

@@ -166,6 +166,13 @@ impl Dynamics for Shell {
         lanczos_step(self, safety)
     }
 
+    fn shortened(&mut self, stable: f64, safety: f64) -> f64 {
+        let Self { reference, dependents, loading, motion, .. } = self;
+        let Some(own) = &mut loading.own_contact else { return stable };
+        let [masses, _] = dependents.ties.moving_masses(reference);
+        own.shortened(stable, safety, [&motion.state, &motion.rates], masses)
+    }
+
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
         if bounds == Bounds::Configuration {
             let found =

@@ -50,10 +50,10 @@ impl LinearisedDynamics for Shell {
                 let body = self.dependents.loaded(&self.reference, &self.motion.state);
                 self.loading.springs.forces(&body, force);
             }
-            if !self.loading.tools.is_empty() {
-                self.loading.tools.add_bounds(&self.motion.state, &home, force);
+            if self.loading.touches() {
+                self.loading.add_contact_bounds(&self.motion.state, &home, force);
             }
-            if !(self.loading.spring_forces.is_empty() && self.loading.tools.is_empty()) {
+            if !self.loading.spring_forces.is_empty() || self.loading.touches() {
                 self.dependents.ties.condense(&self.motion.state, force, |_, _| ());
             }
             for (a, row) in force.iter_mut().enumerate() {

@@ -16,6 +16,9 @@ use crate::bodies::sampled::POINT_NUMBERS;
 use crate::bodies::{FieldRequest, FieldSource, Resultant};
 use crate::scene::Measured;
 
+/// What a checkpoint calls the lists of a shell that touches itself.
+const CONTACT: &str = "where contact was looked for";
+
 impl Body for Shell {
     fn configuration(&self) -> Configuration<'_> {
         let cloud = &self.reference().cloud;
@@ -29,7 +32,7 @@ impl Body for Shell {
             Measured::Position => self.position(a).dot(along),
             Measured::Reaction => self.reaction(a).dot(along),
             Measured::FrictionLoss => self.friction_loss(a),
-            Measured::ContactForce => self.tool_force(a).dot(along),
+            Measured::ContactForce => self.contact_force(a).dot(along),
             Measured::Director | Measured::Rotation => self.director(a).dot(along),
             Measured::ReactionMoment => {
                 (self.position(a).cross(&self.reaction(a)) + self.reaction_moment(a)).dot(along)
@@ -66,12 +69,18 @@ impl Body for Shell {
         let history = Some(self.history()).filter(|history| !history.is_empty());
         let history = history
             .map(|numbers| StateArray { name: "history of the points".into(), numbers: numbers.into() });
-        motion.into_iter().chain(history).collect()
+        let contact = Some(self.contact_state()).filter(|kept| !kept.is_empty());
+        let contact = contact.map(|numbers| StateArray { name: CONTACT.into(), numbers: numbers.into() });
+        motion.into_iter().chain(history).chain(contact).collect()
     }
 
     fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
         let (motion, history) = arrays.split_at_checked(2).ok_or(Mismatch)?;
         let [state, rates] = motion else { return Err(Mismatch) };
+        let (history, contact) = match history {
+            [history @ .., contact] if contact.name == CONTACT => (history, &contact.numbers[..]),
+            history => (history, &[][..]),
+        };
         let history = match history {
             [] => &[][..],
             [history] => &history.numbers,
@@ -80,7 +89,8 @@ impl Body for Shell {
         let (state, left) = state.numbers.as_chunks::<6>();
         let (rates, over) = rates.numbers.as_chunks::<6>();
         let whole = left.is_empty() && over.is_empty();
-        let fits = whole && self.take_up([state, rates]) && self.take_up_history(history);
+        let motion = whole && self.take_up([state, rates]) && self.take_up_history(history);
+        let fits = motion && self.take_up_contact(contact);
         if fits { Ok(()) } else { Err(Mismatch) }
     }
 }
@@ -144,7 +154,7 @@ impl<S: DerefMut<Target = Shell> + Send> StaticBody for StaticShell<S> {
     }
 
     fn opens_and_closes(&self) -> bool {
-        self.shell().has_tools()
+        self.shell().may_touch()
     }
 
     fn linear_reach(&self) -> f64 {

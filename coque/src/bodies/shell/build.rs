@@ -120,6 +120,7 @@ pub(super) fn assemble(
     let masses = builder.masses(&sets)?;
     let stresses = builder.stresses(&cells)?;
     let tools = builder.tools(&sections, &cloud);
+    let own_contact = builder.own_contact(&sections, &cloud);
     let parts = Parts {
         cloud,
         section: sections.base,
@@ -142,6 +143,7 @@ pub(super) fn assemble(
         .rigid(rigid)
         .springs(springs)
         .tools(tools)
+        .touching_itself(own_contact)
         .stresses(stresses);
     if scene.stress_drives() {
         shell = shell.stress_by_level();
@@ -152,6 +154,7 @@ pub(super) fn assemble(
     let mut shell = shell.build().map_err(|e| builder.refusal(&e))?;
     builder.refuse_stress_alone(&mut shell)?;
     builder.refuse_in_tools(&mut shell)?;
+    builder.refuse_in_itself(&mut shell)?;
     let probes = builder.probes(&sets, &cells, &shell)?;
     builder.set_out(&sets, &mut shell)?;
     refuse_dof(scene, shell.dof())?;

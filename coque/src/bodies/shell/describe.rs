@@ -24,6 +24,9 @@ pub(crate) fn describe(
 ) -> Description {
     let (mut modelled, left_out) = lists(scene, surface, parts);
     modelled.extend(touched(&scene.shell.tools, shell));
+    modelled.extend(shell.own_contact_stiffness().map(|stiffness| {
+        format!("contact with itself, without friction, {stiffness:.3e} an area and depth")
+    }));
     let dof = shell.dof();
     Description {
         kind: "shell",
@@ -82,9 +85,12 @@ fn lists(
         format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.shell.formulation.curvature()),
     ];
     modelled.extend(surface.map(|surface| surface.line.clone()));
-    let contact = if scene.shell.tools.is_empty() { "contact" } else { "contact with itself" };
     let mut left_out: Vec<String> =
-        ["plasticity", contact, "fracture", "change of thickness"].map(String::from).into();
+        ["plasticity", "fracture", "change of thickness"].map(String::from).into();
+    if scene.scene.contact.is_empty() {
+        let contact = if scene.shell.tools.is_empty() { "contact" } else { "contact with itself" };
+        left_out.insert(1, contact.into());
+    }
     match &scene.shell.section {
         Section::Homogeneous(section) => modelled.push(match section.gauss_points {
             None => "isotropic elasticity, integrated through the thickness in closed form".into(),

@@ -13,6 +13,7 @@ mod fields;
 pub(crate) mod imported;
 mod linear_forces;
 mod material;
+mod own_contact;
 mod parts;
 mod places;
 mod refusal;

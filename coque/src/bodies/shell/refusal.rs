@@ -86,6 +86,11 @@ impl Builder<'_> {
             | ShellError::ToolFriction(_)
             | ShellError::ToolWithoutCells
             | ShellError::ToolOnOffset { .. } => of_body("tools"),
+            ShellError::ContactStiffness(_)
+            | ShellError::ContactOfThicknesses { .. }
+            | ShellError::ContactWithoutCells
+            | ShellError::ContactOnOffset { .. }
+            | ShellError::ContactOfTies => "contact[0]".into(),
             ShellError::RegionsWithoutCells => of_body("formulation"),
             ShellError::WetFromAfar => of_body("geometry"),
             ShellError::NoSuchParticle { .. }

@@ -11,12 +11,12 @@ use crate::scene::error::SceneError;
 use crate::scene::{Analysis, ToolScene};
 
 /// Depth over half of the thickness up to which a shell that stands on a tool counts as touching it, and no more.
-const TOUCHING: f64 = 1e-6;
+pub(super) const TOUCHING: f64 = 1e-6;
 /// Rounding of the law in analyses in time.
-const ROUNDED: f64 = 0.05;
+pub(super) const ROUNDED: f64 = 0.05;
 
 /// Stiffness of contact of a unit of area of a shell \[F/L³\], before its factor: by its thinnest section and mean spacing.
-fn stiffness(sections: &Sections, cloud: &Cloud) -> f64 {
+pub(super) fn stiffness(sections: &Sections, cloud: &Cloud) -> f64 {
     let cells = cloud.cells.len().max(1) as f64;
     let area: f64 = cloud.cells.iter().map(|cell| cell.geometry(&cloud.positions).area).sum();
     let spacing = (area / cells).sqrt();

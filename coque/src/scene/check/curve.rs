@@ -162,7 +162,7 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     if solid.is_none_or(SolidScene::has_directors) {
         known.extend([Rotation, Director]);
     }
-    if scene.as_shell().is_some_and(|shell| !shell.tools.is_empty()) {
+    if scene.may_touch() {
         known.push(ContactForce);
     }
     if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_rough)) {

@@ -3,6 +3,7 @@
 mod amplitude;
 mod analysis;
 mod conditions;
+mod contact;
 mod curve;
 mod fluid;
 mod gauges;
@@ -15,6 +16,7 @@ mod together;
 
 use self::analysis::check_analysis;
 use self::conditions::{check_load, check_support};
+use self::contact::check_contact;
 use self::curve::check_curve;
 use self::fluid::check_velocity_of_fluid;
 use self::imperfection::check_imperfection;
@@ -36,6 +38,7 @@ pub(super) fn check(scene: &Scene) -> Verdict {
     let (name, body) = named_body(scene)?;
     check_bodies(scene)?;
     check_coupling(scene)?;
+    check_contact(scene)?;
     match scene.is_coupled() {
         true => check_together(scene),
         false => check_alone(&BodyInScene::new(scene, name, body)?),

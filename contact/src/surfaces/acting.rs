@@ -1,0 +1,132 @@
+//! What contact does to nodes, for the state last looked at: forces, tangent, bounds of stiffness, the time until parts meet.
+
+use nalgebra::Matrix3;
+use sph_core::Vec3;
+
+use super::{Contact, Deepest, Node, Pushed, SurfaceContact, corners_of};
+use crate::edges::Crossing;
+
+impl SurfaceContact {
+    /// Hands the forces on nodes to `add`, for the state last looked at: `−∂U/∂x`.
+    pub fn forces(&self, mut add: impl FnMut(Node, Vec3)) {
+        for contact in &self.contacts {
+            let force = contact.pair.normal * -contact.slope;
+            self.each_node(contact, |node, weight| add(node, force * weight));
+        }
+        for pushed in &self.pushed {
+            self.each_end(pushed, |node, share, end| add(node, pushed.crossing.forces[end] * share));
+        }
+    }
+
+    /// Hands the derivatives of the force on a node by the place of another to `put`, for the state last looked at. Without edges.
+    pub fn tangent(&self, at: impl Fn(Node) -> Vec3, mut put: impl FnMut(Node, Node, &Matrix3<f64>)) {
+        for contact in &self.contacts {
+            let pass = &self.passes[contact.pass];
+            let (own, other) = (&self.meshes[pass.of], &self.meshes[pass.on]);
+            let (corners, count) = corners_of(other, contact.feature);
+            let mut places = [own.place(contact.vertex, |a| at((pass.of, a))); 4];
+            for (place, &corner) in places[1..].iter_mut().zip(&corners[..count]) {
+                *place = other.place(corner, |a| at((pass.on, a)));
+            }
+            let blocks = contact.pair.second(&places[..=count], contact.slope, contact.curvature);
+            self.each_place(contact, |a, of_a, share_a| {
+                self.each_place(contact, |b, of_b, share_b| {
+                    let block = blocks[a][b] * -(share_a * share_b);
+                    of_a.iter().for_each(|&node| of_b.iter().for_each(|&to| put(node, to, &block)));
+                });
+            });
+        }
+    }
+
+    /// Hands what contact adds at most to the stiffness against motions of each node to `add` \[F/L\]: the row of `Σ ψ″ w wᵀ`, whose
+    /// weights have two as the sum of their sizes.
+    pub fn rows(&self, mut add: impl FnMut(Node, f64)) {
+        for contact in &self.contacts {
+            self.each_node(contact, |node, weight| add(node, 2.0 * contact.curvature.abs() * weight.abs()));
+        }
+        for pushed in &self.pushed {
+            let Crossing { curvature, weights, .. } = &pushed.crossing;
+            self.each_end(pushed, |node, share, end| add(node, 2.0 * curvature * share * weights[end].abs()));
+        }
+    }
+
+    /// The same at a vertex of a body that is touched on both faces while depths stay out of the barrier, 4 κ A \[F/L\].
+    pub fn bound(&self, body: usize, vertex: usize) -> f64 {
+        4.0 * self.touching.stiffness * self.meshes[body].surface().vertices()[vertex].area
+    }
+
+    /// The time in which those deeper than a depth \[–\], and edges, would meet with their present rates \[L/T\]; infinite where none comes nearer.
+    pub fn meeting(&self, deeper: f64, rate: impl Fn(Node) -> Vec3) -> f64 {
+        let mut least = f64::INFINITY;
+        let mut meet = |distance: f64, closing: f64| {
+            if closing > 0.0 {
+                least = least.min(distance / closing);
+            }
+        };
+        for contact in
+            self.contacts.iter().filter(|contact| contact.depth > deeper && contact.coefficient > 0.0)
+        {
+            let mut closing = 0.0;
+            self.each_node(contact, |node, weight| closing -= contact.pair.normal.dot(&rate(node)) * weight);
+            meet(contact.pair.distance, closing);
+        }
+        for pushed in &self.pushed {
+            let Crossing { normal, weights, distance, .. } = pushed.crossing;
+            let mut closing = 0.0;
+            self.each_end(pushed, |node, share, end| {
+                closing -= normal.dot(&rate(node)) * share * weights[end]
+            });
+            meet(distance, closing);
+        }
+        least
+    }
+
+    /// The pair that is deepest in each other, for the state last looked at.
+    pub fn deepest(&self, at: impl Fn(Node) -> Vec3) -> Option<Deepest> {
+        let contact = self.contacts.iter().max_by(|a, b| a.depth.total_cmp(&b.depth))?;
+        let pass = &self.passes[contact.pass];
+        let own = &self.meshes[pass.of];
+        let here = own.place(contact.vertex, |a| at((pass.of, a)));
+        let there = here - contact.pair.normal * contact.pair.distance;
+        let node = (pass.of, own.surface().vertices()[contact.vertex as usize].nodes()[0]);
+        Some(Deepest { node, places: [here, there], depth: contact.depth })
+    }
+
+    /// Greatest depth of edges that push, one less their distance over that from which they do \[–\].
+    pub fn greatest_crossing(&self) -> f64 {
+        let depth = |pushed: &Pushed| 1.0 - pushed.crossing.distance / pushed.within;
+        self.pushed.iter().map(depth).fold(0.0, f64::max)
+    }
+
+    /// Hands each place of a contact with its nodes, and the share that a node has in it, to `each`.
+    fn each_place(&self, contact: &Contact, mut each: impl FnMut(usize, &[Node], f64)) {
+        let pass = &self.passes[contact.pass];
+        let (corners, count) = corners_of(&self.meshes[pass.on], contact.feature);
+        let mut nodes = [(0, 0); 4];
+        let mut hand = |place: usize, body: usize, vertex: u32| {
+            let own = self.meshes[body].surface().vertices()[vertex as usize];
+            nodes.iter_mut().zip(own.nodes()).for_each(|(node, &a)| *node = (body, a));
+            each(place, &nodes[..own.nodes().len()], own.share());
+        };
+        hand(0, pass.of, contact.vertex);
+        corners[..count].iter().enumerate().for_each(|(i, &corner)| hand(i + 1, pass.on, corner));
+    }
+
+    /// Hands each node of a contact with its weight in the distance to `each`.
+    fn each_node(&self, contact: &Contact, mut each: impl FnMut(Node, f64)) {
+        self.each_place(contact, |place, nodes, share| {
+            nodes.iter().for_each(|&node| each(node, contact.pair.weights[place] * share));
+        });
+    }
+
+    /// Hands each node of two edges, its share in an end and the number of that to `each`.
+    fn each_end(&self, pushed: &Pushed, mut each: impl FnMut(Node, f64, usize)) {
+        let last = self.meshes.len() - 1;
+        for (side, body) in [0, last].into_iter().enumerate() {
+            for (i, end) in self.meshes[body].edges()[pushed.edges[side] as usize].into_iter().enumerate() {
+                let vertex = self.meshes[body].surface().vertices()[end as usize];
+                vertex.nodes().iter().for_each(|&a| each((body, a), vertex.share(), 2 * side + i));
+            }
+        }
+    }
+}

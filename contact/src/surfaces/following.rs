@@ -1,0 +1,130 @@
+//! Which parts are near: lists that last until something has moved by half of the skin.
+
+use sph_core::Vec3;
+
+use super::{Node, SurfaceContact, reach_of_edges};
+use crate::list::Range;
+use crate::mesh::Mesh;
+
+impl SurfaceContact {
+    /// How many lists were made.
+    pub fn lists(&self) -> u64 {
+        self.lists
+    }
+
+    /// Where nodes were when the last list was made, body by body \[L\]; none before the first.
+    pub fn listed(&self) -> &[Vec<Vec3>] {
+        &self.listed
+    }
+
+    /// Hands every pair of nodes that may share a block of the tangent until the next list to `pair`.
+    pub fn pattern(&self, mut pair: impl FnMut(Node, Node)) {
+        let mut nodes = Vec::new();
+        for pass in &self.passes {
+            let (own, other) = (&self.meshes[pass.of], &self.meshes[pass.on]);
+            for (vertex, face) in pass.list.pairs() {
+                nodes.clear();
+                nodes.extend(own.surface().vertices()[vertex as usize].nodes().iter().map(|&a| (pass.of, a)));
+                for corner in other.faces()[face as usize] {
+                    let of = other.surface().vertices()[corner as usize].nodes();
+                    nodes.extend(of.iter().map(|&a| (pass.on, a)));
+                }
+                nodes.iter().for_each(|&a| nodes.iter().for_each(|&b| pair(a, b)));
+            }
+        }
+    }
+
+    /// How far nodes may still come nearer to each other before anything is near enough to be listed \[L\]; none where something is.
+    pub fn left_alone(&self) -> Option<f64> {
+        let empty = self.passes.iter().all(|pass| pass.list.is_empty()) && self.crossings.is_empty();
+        empty.then_some(self.touching.skin - self.way)
+    }
+
+    /// Makes the lists that were made where nodes were, body by body as [`SurfaceContact::listed`] has them; false, and nothing changed,
+    /// if these are nodes of other bodies.
+    pub fn take_up(&mut self, listed: &[&[[f64; 3]]]) -> bool {
+        let fits = |(mesh, listed): (&Mesh, &&[[f64; 3]])| nodes_of(mesh).count() == listed.len();
+        if listed.len() != self.meshes.len() || !self.meshes.iter().zip(listed).all(fits) {
+            return false;
+        }
+        let place = |(mesh, listed): (&Mesh, &&[[f64; 3]])| {
+            let last = nodes_of(mesh).max().map_or(0, |a| a as usize + 1);
+            let mut places = vec![Vec3::zeros(); last];
+            nodes_of(mesh).zip(*listed).for_each(|(a, x)| places[a as usize] = Vec3::from(*x));
+            places
+        };
+        let places: Vec<Vec<Vec3>> = self.meshes.iter().zip(listed).map(place).collect();
+        self.list(|(body, a)| places[body][a as usize]);
+        true
+    }
+
+    /// Makes new lists where something has moved by half of the skin since the last.
+    pub(super) fn follow(&mut self, at: impl Fn(Node) -> Vec3) {
+        self.way = if self.listed.is_empty() { f64::INFINITY } else { 2.0 * self.moved(&at) };
+        if self.way > self.touching.skin {
+            self.list(at);
+        }
+    }
+
+    /// Makes lists where nodes are now.
+    pub fn list(&mut self, at: impl Fn(Node) -> Vec3) {
+        let Self { meshes, touching, passes, near, crossings, listed, places, lists, way, .. } = self;
+        (*way, *lists) = (0.0, *lists + 1);
+        listed.resize(meshes.len(), Vec::new());
+        places.resize(meshes.len(), Vec::new());
+        for (body, mesh) in meshes.iter().enumerate() {
+            let vertices = mesh.surface().vertices();
+            places[body].clear();
+            places[body].extend(vertices.iter().map(|vertex| vertex.place(|a| at((body, a)))));
+            listed[body].clear();
+            listed[body].extend(nodes_of(mesh).map(|a| at((body, a))));
+        }
+        for pass in passes.iter_mut() {
+            let allowed =
+                |vertex: u32, corners: &[u32; 3]| near.as_ref().is_none_or(|near| !near.any(vertex, corners));
+            let range = Range { allowed, distance: touching.distance, skin: touching.skin };
+            pass.list.faces(&places[pass.of], &meshes[pass.on], &places[pass.on], &range);
+        }
+        if !touching.edges {
+            return;
+        }
+        let last = meshes.len() - 1;
+        let allowed = |edge: usize, partner: usize| {
+            let (own, other) = (meshes[0].edges()[edge], meshes[last].edges()[partner]);
+            near.as_ref().is_none_or(|near| own.iter().all(|&end| !near.any(end, &other)))
+        };
+        let distance =
+            |edge: usize, partner: usize| reach_of_edges(meshes, touching.distance, [edge, partner]);
+        let range = Range { allowed, distance, skin: touching.skin };
+        let sides = [0, last].map(|i| (&meshes[i], &places[i][..]));
+        crossings.edges(sides, last == 0, touching.distance, &range);
+    }
+
+    /// Greatest way of a node since the last list, the mean way taken out \[L\].
+    fn moved(&self, at: impl Fn(Node) -> Vec3) -> f64 {
+        let all = || {
+            let bodies = self.meshes.iter().zip(&self.listed).enumerate();
+            bodies.flat_map(|(body, (mesh, listed))| nodes_of(mesh).map(move |a| (body, a)).zip(listed))
+        };
+        let (mut sum, mut count) = (Vec3::zeros(), 0.0);
+        for (node, from) in all() {
+            sum += at(node) - from;
+            count += 1.0;
+        }
+        let common = sum / f64::max(count, 1.0);
+        let mut most: f64 = 0.0;
+        for (node, from) in all() {
+            let way = (at(node) - from - common).norm_squared();
+            most = f64::max(most, way);
+        }
+        most.sqrt()
+    }
+}
+
+/// The nodes that are vertices themselves.
+fn nodes_of(mesh: &Mesh) -> impl Iterator<Item = u32> {
+    mesh.surface().vertices().iter().map_while(|vertex| match vertex.nodes() {
+        &[a] => Some(a),
+        _ => None,
+    })
+}

@@ -1,0 +1,19 @@
+//! Surfaces that may touch each other, or themselves.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::bounded::{Positive, Rounding};
+
+/// A contact without friction: the surface of the one body with itself. Mid-surfaces stand a thickness apart when faces touch.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct ContactScene {
+    /// The two bodies that touch; left out, the one body touches itself.
+    pub between: Option<[String; 2]>,
+    /// Factor on the stiffness of contact; left out, 1: the lesser of what the thickness gives, E/t, and of what shortens steps in time by
+    /// a tenth at most.
+    pub stiffness: Option<Positive>,
+    /// Depth over the thickness up to which the force sets in softly \[–\]; left out, .05 in time, where bodies bounce, and 0 without time.
+    pub rounding: Option<Rounding>,
+}

@@ -1,0 +1,77 @@
+//! What a shell touches, tools or itself, and what of that a checkpoint keeps.
+
+use contact::{Deepest, SurfaceTouch, Touch};
+use explicit_dynamics::Instant;
+use sph_core::Vec3;
+
+use crate::Shell;
+
+impl Shell {
+    /// Evaluates loads and tools at an instant; what each tool and the shell do to each other there.
+    pub fn touch(&mut self, at: Instant) -> &[Touch] {
+        self.evaluate_external(at);
+        self.touches()
+    }
+
+    /// Least gaps between its faces and those of each tool at an instant \[L\], negative where they are in each other.
+    pub fn tool_gaps(&self, at: Instant) -> Vec<f64> {
+        self.loading.tools.least_gaps(at, self.loading.case, &self.motion.state)
+    }
+
+    /// Whether it may touch tools or itself.
+    pub fn may_touch(&self) -> bool {
+        self.loading.touches()
+    }
+
+    /// Force of all tools, and of the shell itself where it touches itself, on a particle \[F\], for the forces last evaluated.
+    pub fn contact_force(&self, particle: usize) -> Vec3 {
+        let own = self.loading.own_contact.as_ref().map(|own| own.force(particle));
+        self.loading.tools.force(particle) + own.unwrap_or_default()
+    }
+
+    /// What the shell does to itself, for the forces last evaluated; none where it may not touch itself.
+    pub fn own_touch(&self) -> Option<&SurfaceTouch> {
+        self.loading.own_contact.as_ref().map(|own| own.touch())
+    }
+
+    /// The two parts of it that are deepest in each other, for the forces last evaluated, their places from zero.
+    pub fn deepest_in_itself(&self) -> Option<Deepest> {
+        let found = self.loading.own_contact.as_ref()?.deepest(&self.motion.state)?;
+        Some(Deepest { places: found.places.map(|place| self.reference.from_zero(place)), ..found })
+    }
+
+    /// Stiffness of the contact with itself, of a unit of area \[F/L³\].
+    pub fn own_contact_stiffness(&self) -> Option<f64> {
+        self.loading.own_contact.as_ref().map(|own| own.stiffness())
+    }
+
+    /// Stiffness of the contact with each tool, of a unit of area \[F/L³\].
+    pub fn tool_stiffness(&self) -> impl Iterator<Item = f64> {
+        self.loading.tools.stiffnesses()
+    }
+
+    /// What each tool and the shell do to each other, for the forces last evaluated, in the order in which tools were given.
+    pub fn touches(&self) -> &[Touch] {
+        self.loading.tools.touches()
+    }
+
+    /// Forgets what touches in the shell: it is put into another state.
+    pub(crate) fn forget_contact(&mut self) {
+        if let Some(own) = &mut self.loading.own_contact {
+            own.put();
+        }
+    }
+
+    /// What its contact with itself keeps beside [`Shell::motion`], a part of the state; empty without, and before anything was near.
+    pub fn contact_state(&self) -> Vec<f64> {
+        self.loading.own_contact.as_ref().map_or_else(Vec::new, |own| own.kept())
+    }
+
+    /// Takes up what [`Shell::contact_state`] gave, after the motion, to the same bits; false, and nothing changed, if it is that of another shell.
+    pub fn take_up_contact(&mut self, kept: &[f64]) -> bool {
+        match &mut self.loading.own_contact {
+            Some(own) => own.take_up(kept),
+            None => kept.is_empty(),
+        }
+    }
+}
