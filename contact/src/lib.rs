@@ -41,6 +41,7 @@
 //! | vertices, areas | `surface.rs` |
 //! | forces, tangent, what is measured | `touch.rs` |
 //! | κ | `stiffness.rs` |
+//! | springs between places of two bodies | `joints.rs` |
 //!
 //! # What holds, and the test that says so
 //!
@@ -52,12 +53,14 @@
 //! | turned and in other units the answer is the same | tests/relations.rs |
 #![warn(missing_docs)]
 
+mod joints;
 mod law;
 mod stiffness;
 mod surface;
 mod tool;
 mod touch;
 
+pub use joints::{Joint, Joints};
 pub use law::Law;
 pub use stiffness::stiffness;
 pub use surface::{Surface, Vertex};

@@ -27,6 +27,8 @@ pub(crate) struct Loading {
     pub wetted: Option<Box<Surface>>,
     /// Forces that a function exerts.
     pub push: Option<Box<Push>>,
+    /// Forces that other bodies exert on particles; empty of a shell alone.
+    pub exerted: Vec<(u32, [f64; 3])>,
     /// External forces; empty without loads.
     pub external: Vec<Row>,
     /// Forces of the springs on each particle; empty without springs on particles.
@@ -61,6 +63,7 @@ impl Loading {
             tools,
             wetted,
             push: None,
+            exerted: Vec::new(),
         }
     }
 
@@ -68,6 +71,13 @@ impl Loading {
     pub fn push(&mut self, push: Push, particles: usize) {
         self.external.resize(particles, [0.0; 6]);
         self.push = Some(Box::new(push));
+    }
+
+    /// Takes what other bodies exert on some of so many particles.
+    pub fn exert(&mut self, particles: &[u32], forces: &[[f64; 3]], count: usize) {
+        self.external.resize(count, [0.0; 6]);
+        self.exerted.clear();
+        self.exerted.extend(particles.iter().copied().zip(forces.iter().copied()));
     }
 
     /// Load on a particle for the last forces evaluated \[F, F L\].
@@ -135,7 +145,7 @@ impl Loading {
             Part::Rate { .. } => None,
         };
         self.evaluate_bodies(time.is_some(), &scale, reference, &mut dependents.junctions, &motion.state);
-        let Self { loads, case, springs, tools, wetted, push, external, spring_forces } = self;
+        let Self { loads, case, springs, tools, wetted, push, exerted, external, spring_forces } = self;
         let body = dependents.loaded(reference, &motion.state);
         external.fill([0.0; 6]);
         for applied in loads.iter() {
@@ -150,6 +160,9 @@ impl Loading {
             for (sum, force) in external.iter_mut().zip(push.forces(time, of)) {
                 (0..3).for_each(|k| sum[k] += force[k]);
             }
+        }
+        for (particle, force) in exerted.iter().filter(|_| time.is_some()) {
+            (0..3).for_each(|k| external[*particle as usize][k] += force[k]);
         }
         if time.is_some() && !spring_forces.is_empty() {
             springs.forces(&body, spring_forces);
@@ -224,5 +237,6 @@ impl Loading {
             + self.tools.bytes()
             + self.wetted.as_ref().map_or(0, |surface| surface.bytes())
             + self.push.as_ref().map_or(0, |push| push.bytes())
+            + size_of::<(u32, [f64; 3])>() * self.exerted.len()
     }
 }

@@ -16,6 +16,7 @@ pub(crate) mod error;
 pub(crate) mod fluid;
 mod forms;
 mod imperfection;
+pub(crate) mod joints;
 mod levels;
 mod loads;
 mod nearest;

@@ -9,6 +9,7 @@ mod gauges;
 mod imperfection;
 mod preload;
 mod sets;
+mod several;
 mod shell;
 mod solid;
 mod together;
@@ -36,7 +37,7 @@ pub(super) fn check(scene: &Scene) -> Verdict {
     let (name, body) = named_body(scene)?;
     check_bodies(scene)?;
     check_coupling(scene)?;
-    match scene.is_coupled() {
+    match scene.is_together() {
         true => check_together(scene),
         false => check_alone(&BodyInScene::new(scene, name, body)?),
     }
