@@ -1,7 +1,7 @@
 //! Springs of which each end is at another body: supports whose `spring.to` names a set of another one.
 
-use super::body_in_scene::Owner;
 use super::error::SceneError;
+use super::owner::Owner;
 use super::problem::Scene;
 use super::supports::{Spring, Support};
 

@@ -22,6 +22,7 @@ mod loads;
 mod nearest;
 mod output;
 mod overrides;
+pub(crate) mod owner;
 mod per_axis;
 mod problem;
 pub(crate) mod reference;

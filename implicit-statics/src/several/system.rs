@@ -236,9 +236,9 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
         self.parts(|own| &own.saved).for_each(|(system, range)| system.restore(&saved[range]));
     }
 
+    /// What they do to each other is work of external forces.
     fn energy(&mut self) -> f64 {
-        let between = self.act();
-        self.systems.iter_mut().map(|system| system.energy()).sum::<f64>() + between
+        self.systems.iter_mut().map(|system| system.energy()).sum()
     }
 
     fn masses(&self) -> Vec<f64> {

@@ -16,8 +16,9 @@ use crate::bodies::refusal::{not_a, refuse_modes};
 use crate::bodies::shell::build::shell_made;
 use crate::bodies::solid::build::solid_made;
 use crate::bodies::{BuiltBody, Description, Memory, Model, Probe, Ready};
-use crate::scene::body_in_scene::{BodyInScene, Owner, ShellInScene};
+use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
 use crate::scene::error::SceneError;
+use crate::scene::owner::Owner;
 use crate::scene::{Analysis, BodyScene, Scene};
 use crate::warning::Warning;
 

@@ -6,9 +6,9 @@ use contact::{Joint, Joints};
 use sph_core::Vec3;
 
 use super::layout::Layout;
-use crate::scene::body_in_scene::Owner;
 use crate::scene::error::SceneError;
 use crate::scene::joints::{JointInScene, joints};
+use crate::scene::owner::Owner;
 use crate::scene::{Analysis, Scene};
 
 /// Sets of each body by name, with the numbers of their particles in it.

@@ -6,10 +6,11 @@ use super::check_alone;
 use super::curve::{check_column_name, check_measured_alike, check_plot};
 use super::fluid::check_sound_speed;
 use super::several::{check_joints, check_several};
-use crate::scene::body_in_scene::{BodyInScene, OnSet, Owner, gravity_on};
+use crate::scene::body_in_scene::{BodyInScene, OnSet, gravity_on};
 use crate::scene::coupling::Coupling;
 use crate::scene::curve::{Measured, mean_of};
 use crate::scene::error::{SceneError, Verdict};
+use crate::scene::owner::Owner;
 use crate::scene::problem::{BodyScene, Scene};
 use sph_core::Vec3;
 
