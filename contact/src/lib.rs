@@ -46,6 +46,7 @@
 //! | κ | `stiffness.rs` |
 //! | friction, its anchors, what it loses | `friction.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
+//! | springs between places of two bodies | `joints.rs` |
 //!
 //! # What holds, and the test that says so
 //!
@@ -62,6 +63,7 @@
 mod edges;
 mod euler;
 mod friction;
+mod joints;
 mod law;
 mod list;
 mod mesh;
@@ -76,6 +78,7 @@ mod touch;
 mod watch;
 
 pub use friction::Friction;
+pub use joints::{Joint, Joints};
 pub use law::Law;
 pub use mesh::Mesh;
 pub use pair::Pair;

@@ -10,6 +10,7 @@
 //! | find equilibria along a load path | [`March`] of a [`QuasiStatic`] |
 //! | know the stable step | [`Dynamics::stable_step`], [`lanczos_step`], [`largest_eigenvalue`] |
 //! | watch, stop | a loop over [`March::advance`] or [`March::next_record`]; [`Event`], [`Record`] |
+//! | march several systems together, with what they do to each other | [`Several`], over [`Joinable`] and [`Interaction`] |
 //! | march a fluid with the structures in it | [`TwoClocks`], over [`BoundaryDriven`] and [`Wetted`] |
 //! | let a function exert forces on the particles of a system | [`Push`] |
 //! | keep a march and go on later, to the same bits | [`March::state`], [`MarchState`], [`March::resume`] |
@@ -174,6 +175,7 @@ mod quasi_static;
 mod record;
 mod recorded;
 mod rest;
+mod several;
 mod stable_step;
 mod step;
 mod transient;
@@ -192,6 +194,7 @@ pub use push::{Exert, Push};
 pub use quasi_static::QuasiStatic;
 pub use record::{Balance, Record};
 pub use rest::{LevelReached, Missing, Sizes};
+pub use several::{Interaction, Joinable, Several};
 pub use stable_step::{LANCZOS_STEPS, Spectrum, StableStep, lanczos_step, largest_eigenvalue};
 pub use step::{Decay, Instant, Step, Work};
 pub use transient::Transient;

@@ -13,6 +13,7 @@
 //! | hold a system of one's own against differences | [`force_error`], [`stiffness_error`], [`tangent_error`], [`load_rate_error`] |
 //! | take the branch that leaves a bifurcation | [`Branches`] in [`CriticalOptions`]; from a point of a path that is done, [`switch_branch`] |
 //! | find equilibrium without a factor of the tangent, at a level or at many | [`relax`], [`Relaxation`] |
+//! | solve several systems together, with what they do to each other | [`Several`], over [`Joinable`] and [`Interaction`] |
 //! | know frequencies | [`natural_modes`] |
 //! | estimate buckling loads | [`linear_buckling`] |
 //!
@@ -255,6 +256,7 @@ mod ordering;
 mod path;
 mod pattern;
 mod relaxation;
+mod several;
 mod solver;
 mod stepper;
 mod symbolic;
@@ -281,5 +283,6 @@ pub use options::{
 };
 pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
 pub use relaxation::{Relaxation, RelaxationMemory, Relaxed, Relaxing, SnapEnergy, relax};
+pub use several::{Interaction, Joinable, Several};
 pub use solver::SymmetricSolver;
 pub use vectors::sign_of_greatest;

@@ -39,6 +39,8 @@ pub struct Solid {
     pub(crate) external: Vec<Vec3>,
     /// Forces that a function exerts.
     push: Option<Box<Push>>,
+    /// Forces that other bodies exert on nodes; empty of a solid alone.
+    exerted: Vec<(u32, Vec3)>,
     /// What a fluid wets.
     pub(crate) wetted: Option<Box<Surface>>,
     pub(crate) constraints: Constraints,
@@ -119,6 +121,7 @@ impl Solid {
             internal: vec![[0.0; 4]; count],
             external: if loads.is_empty() { Vec::new() } else { vec![Vec3::zeros(); count] },
             push: None,
+            exerted: Vec::new(),
             wetted: None,
             constraints,
             loads,
@@ -275,8 +278,8 @@ impl Solid {
         energy
     }
 
-    /// The loads at an instant.
-    pub(crate) fn evaluate_external(&mut self, at: Instant) {
+    /// The loads of the body at an instant.
+    pub(crate) fn evaluate_loads(&mut self, at: Instant) {
         self.external.fill(Vec3::zeros());
         for load in &self.loads {
             let factor = load.factor(at);
@@ -284,6 +287,11 @@ impl Solid {
                 self.external[*node as usize] += force * factor;
             }
         }
+    }
+
+    /// The same with all that a fluid, a function and other bodies exert.
+    pub(crate) fn evaluate_external(&mut self, at: Instant) {
+        self.evaluate_loads(at);
         if let Some(surface) = &self.wetted {
             surface.add(&self.rates, &mut self.external);
         }
@@ -294,6 +302,16 @@ impl Solid {
                 *sum += Vec3::from(*force);
             }
         }
+        for (node, force) in &self.exerted {
+            self.external[*node as usize] += force;
+        }
+    }
+
+    /// Takes what other bodies exert on some of its nodes, from now on.
+    pub(crate) fn take_exerted(&mut self, nodes: &[u32], forces: &[[f64; 3]]) {
+        self.external.resize(self.rest.len(), Vec3::zeros());
+        self.exerted.clear();
+        self.exerted.extend(nodes.iter().copied().zip(forces.iter().map(|&force| force.into())));
     }
 
     /// Lets a function exert forces on all nodes from now on, in marches.

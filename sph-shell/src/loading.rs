@@ -30,6 +30,8 @@ pub(crate) struct Loading {
     pub wetted: Option<Box<Surface>>,
     /// Forces that a function exerts.
     pub push: Option<Box<Push>>,
+    /// Forces that other bodies exert on particles; empty of a shell alone.
+    pub exerted: Vec<(u32, [f64; 3])>,
     /// External forces; empty without loads.
     external: Vec<Row>,
     /// Whether all of them are zero: there are tools alone, and nothing touches them.
@@ -70,6 +72,7 @@ impl Loading {
             own_contact,
             wetted,
             push: None,
+            exerted: Vec::new(),
         }
     }
 
@@ -82,6 +85,13 @@ impl Loading {
     /// External forces for a march; empty where there are none.
     pub fn in_march(&self) -> &[Row] {
         if self.idle { &[] } else { &self.external }
+    }
+
+    /// Takes what other bodies exert on some of so many particles.
+    pub fn exert(&mut self, particles: &[u32], forces: &[[f64; 3]], count: usize) {
+        self.external.resize(count, [0.0; 6]);
+        self.exerted.clear();
+        self.exerted.extend(particles.iter().copied().zip(forces.iter().copied()));
     }
 
     /// Load on a particle for the last forces evaluated \[F, F L\].
@@ -157,13 +167,14 @@ impl Loading {
             && self.wetted.is_none()
             && self.push.is_none()
             && self.own_contact.is_none()
+            && self.exerted.is_empty()
             && dependents.is_empty();
         if tools_alone && !touching && self.idle {
             return;
         }
         self.idle = tools_alone && !touching;
         self.evaluate_bodies(now.is_some(), &scale, reference, &mut dependents.junctions, &motion.state);
-        let Self { loads, case, springs, tools, own_contact, wetted, push, external, spring_forces, .. } = self;
+        let Self { loads, case, springs, tools, own_contact, wetted, push, exerted, external, spring_forces, .. } = self;
         let body = dependents.loaded(reference, &motion.state);
         external.fill([0.0; 6]);
         for applied in loads.iter() {
@@ -178,6 +189,9 @@ impl Loading {
             for (sum, force) in external.iter_mut().zip(push.forces(now, of)) {
                 (0..3).for_each(|k| sum[k] += force[k]);
             }
+        }
+        for (particle, force) in exerted.iter().filter(|_| now.is_some()) {
+            (0..3).for_each(|k| external[*particle as usize][k] += force[k]);
         }
         if now.is_some() && !spring_forces.is_empty() {
             springs.forces(&body, spring_forces);
@@ -275,5 +289,6 @@ impl Loading {
             + self.own_contact.as_ref().map_or(0, |own| own.bytes())
             + self.wetted.as_ref().map_or(0, |surface| surface.bytes())
             + self.push.as_ref().map_or(0, |push| push.bytes())
+            + size_of::<(u32, [f64; 3])>() * self.exerted.len()
     }
 }

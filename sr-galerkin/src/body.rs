@@ -60,6 +60,8 @@ pub struct Galerkin {
     pub(crate) cell_forces: Vec<f64>,
     pub(crate) internal: Vec<f64>,
     pub(crate) external: Vec<f64>,
+    /// What other bodies exert; empty of a body alone.
+    pub(crate) exerted: Vec<f64>,
     pub(crate) troubles: Vec<Trouble>,
     /// Whether points and internal forces are those of the parameters.
     pub(crate) evaluated: bool,
@@ -112,6 +114,7 @@ impl Galerkin {
             cell_forces: vec![0.0; stride * space.cells.len()],
             internal: vec![0.0; 3 * count],
             external: vec![0.0; 3 * count],
+            exerted: Vec::new(),
             troubles: vec![None; space.cells.len()],
             scratch: Vec::new(),
             evaluated: false,
@@ -152,11 +155,17 @@ impl Galerkin {
     /// level \[F\]. Where conditions say the same, the first of them has the force.
     pub fn reactions(&mut self, level: f64) -> Vec<f64> {
         self.evaluate_internal(level);
-        self.loads.forces(level, (&self.space.images, &self.parameters), &mut self.external);
+        self.evaluate_external(level);
         let forces: Vec<f64> = self.internal.iter().zip(&self.external).map(|(a, b)| a - b).collect();
         let mut out = vec![0.0; self.conditions];
         self.unknowns.reactions(&forces, &mut out);
         out
+    }
+
+    /// Loads at a level with what other bodies exert.
+    pub(crate) fn evaluate_external(&mut self, level: f64) {
+        self.loads.forces(level, (&self.space.images, &self.parameters), &mut self.external);
+        self.external.iter_mut().zip(&self.exerted).for_each(|(sum, force)| *sum += force);
     }
 
     /// Whether stress has a history.

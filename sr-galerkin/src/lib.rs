@@ -138,6 +138,7 @@ mod discretisation;
 mod error;
 mod essential;
 mod images;
+mod joined;
 mod loads;
 mod parts;
 mod reactions;

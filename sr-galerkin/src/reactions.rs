@@ -130,7 +130,7 @@ impl Supports {
     /// Forces of the supports on all nodes at a level \[F\].
     pub fn forces(&self, body: &mut Galerkin, level: f64, out: &mut [Vec3]) {
         body.evaluate_internal(level);
-        body.loads.forces(level, (&body.space.images, &body.parameters), &mut body.external);
+        body.evaluate_external(level);
         let (internal, external) = (&body.internal, &body.external);
         let residual = |&(p, a): &(u32, f64)| a * (internal[p as usize] - external[p as usize]);
         let mut sought: Vec<f64> =

@@ -37,7 +37,7 @@ impl Equilibrium for Galerkin {
 
     fn external(&mut self, level: f64, out: &mut [f64]) {
         self.put(level);
-        self.loads.forces(level, (&self.space.images, &self.parameters), &mut self.external);
+        self.evaluate_external(level);
         self.unknowns.project(&self.external, out);
     }
 

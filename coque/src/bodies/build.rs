@@ -6,6 +6,7 @@ use super::model::Model;
 use super::refusal::not_a;
 use super::shell::build::shell_model;
 use super::solid::build::solid_model;
+use super::together::build::together_model;
 use crate::scene::body_in_scene::ShellInScene;
 use crate::scene::error::SceneError;
 use crate::scene::{BodyScene, Checked};
@@ -29,6 +30,9 @@ impl Checked {
             if let BodyScene::Fluid(fluid) = of_fluid.body {
                 return coupled_model(&bodies, of_fluid, fluid, threads);
             }
+        }
+        if bodies.len() > 1 {
+            return together_model(self, &bodies, threads);
         }
         let scene = &self.first_body()?;
         match scene.body {

@@ -10,8 +10,10 @@
 //! | what loads and supports amount to | `resultants.rs` |
 //! | which rigid motions are free | `rigid.rs` |
 //! | shells; solids with bonds, without; fluids and walls | `shell/`; `solid/`, `galerkin/`; `fluid/` |
+//! | several bodies without a fluid as one body | `together/` |
 //! | a fluid, its walls and the structures in it as one body | `coupled/` |
 
+mod beside;
 pub(crate) mod body;
 mod build;
 mod built_body;
@@ -31,6 +33,7 @@ mod sampled;
 pub(crate) mod sets;
 pub(crate) mod shell;
 mod solid;
+mod together;
 
 pub(crate) use body::extent;
 pub use body::{

@@ -3,7 +3,7 @@
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::source::Source;
-use crate::scene::{Analysis, BodyScene};
+use crate::scene::{Analysis, BodyScene, Scene};
 
 /// Refusal of a body of another kind than a program asks for.
 pub(super) fn not_a(scene: &BodyInScene<'_>, wanted: &str) -> SceneError {
@@ -21,7 +21,12 @@ pub(super) fn refuse_dof(scene: &BodyInScene<'_>, dofs: usize) -> Result<(), Sce
         let repair = "take out a support, or let it name fewer particles";
         return Err(SceneError::Choice(scene.source.fault("supports", found, bound, repair)));
     }
-    let (path, modes) = match scene.analysis {
+    if scene.together { Ok(()) } else { refuse_modes(scene.scene, dofs) }
+}
+
+/// Refuses more modes than there are unknowns.
+pub(super) fn refuse_modes(scene: &Scene, dofs: usize) -> Result<(), SceneError> {
+    let (path, modes) = match &scene.analysis {
         Analysis::Modal(wanted) => ("analysis.modal.modes", wanted.modes),
         Analysis::Buckling(wanted) => ("analysis.buckling.modes", wanted.modes),
         _ => return Ok(()),
@@ -39,7 +44,8 @@ pub(super) fn refuse_free_motion(
     free: impl FnOnce() -> Vec<String>,
 ) -> Result<(), SceneError> {
     let kind = scene.analysis.kind();
-    if kind.floats && !scene.has_preload() {
+    // What joins it to another body may hold it: the balance tells.
+    if scene.joined || kind.floats && !scene.has_preload() {
         return Ok(());
     }
     let free = free();

@@ -9,53 +9,17 @@ use super::analysis::Analysis;
 use super::curve::Probe;
 use super::error::SceneError;
 use super::imperfection::Imperfection;
+use super::joints::joints;
 use super::loads::Load;
 use super::output::Output;
+use super::owner::Owner;
 use super::problem::{BodyScene, Scene};
 use super::scope::Scope;
 use super::sets::Region;
 use super::shell::ShellScene;
 use super::solid::SolidScene;
-use super::source::{Source, suggest};
+use super::source::Source;
 use super::supports::Support;
-
-/// Whose set a name is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Owner<'a> {
-    /// All of every body.
-    Every,
-    /// A set of one body, by the names of both.
-    Of(&'a str, &'a str),
-}
-
-impl<'a> Owner<'a> {
-    /// Whose set the name at `path` is: `body.set`, `all`, or a declared set that says `of` whom.
-    ///
-    /// # Errors
-    /// [`SceneError::Set`] for a name that names no body.
-    pub(crate) fn of(scene: &'a Scene, path: &str, on: &'a str) -> Result<Self, SceneError> {
-        if let Some((only, _)) = scene.bodies.first_key_value().filter(|_| scene.bodies.len() == 1) {
-            return Ok(Self::Of(only, on));
-        }
-        if on == "all" {
-            return Ok(Self::Every);
-        }
-        if let Some(of) = scene.sets.get(on).and_then(|region| region.of.as_ref()) {
-            return Ok(Self::Of(of, on));
-        }
-        match on.split_once('.') {
-            Some((body, set)) if scene.bodies.contains_key(body) => Ok(Self::Of(body, set)),
-            _ => {
-                let every = scene.bodies.keys().map(|name| format!("{name}.all"));
-                let known: Vec<String> = every.chain(scene.sets.keys().cloned()).collect();
-                let repair = suggest(on, &known.iter().map(String::as_str).collect::<Vec<_>>());
-                let bound =
-                    "which names no set of any body: a set of one of several bodies is written body.set";
-                Err(SceneError::Set(scene.source.fault(path, &format!("\"{on}\""), bound, &repair)))
-            }
-        }
-    }
-}
 
 /// Gravity on a body \[L/T²\]: the sum of what is said of it.
 pub(crate) fn gravity_on(scene: &Scene, name: &str) -> Vec3 {
@@ -112,8 +76,12 @@ pub(crate) struct BodyInScene<'a> {
     pub loads: Vec<OnSet<'a, Load>>,
     /// Columns that the body answers of itself: what a fluid does to a structure stays out.
     pub curve: Vec<OnSet<'a, Probe>>,
+    /// Whether there are other bodies.
+    pub together: bool,
     /// Whether it is built together with a fluid, or is one.
-    pub coupled: bool,
+    pub in_fluid: bool,
+    /// Whether a spring joins it to another body.
+    pub joined: bool,
 }
 
 impl<'a> BodyInScene<'a> {
@@ -122,8 +90,11 @@ impl<'a> BodyInScene<'a> {
     /// # Errors
     /// [`SceneError::Set`] for a set that names no body.
     pub(crate) fn new(scene: &'a Scene, name: &'a str, body: &'a BodyScene) -> Result<Self, SceneError> {
-        let coupled = scene.is_coupled();
-        let structure = coupled && matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_));
+        let (together, in_fluid) = (scene.is_together(), scene.fluid().is_some());
+        let structure = in_fluid && matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_));
+        let joints = joints(scene)?;
+        let mut supports = on_body(scene, name, "supports", &scene.supports, |support| &support.on)?;
+        supports.retain(|support| joints.iter().all(|joint| joint.path != support.path));
         let sets = scene.sets.iter().map(|(name, region)| (name.as_str(), region));
         let of_it = |region: &Region| region.of.as_ref().is_none_or(|of| of == name);
         Ok(Self {
@@ -133,14 +104,16 @@ impl<'a> BodyInScene<'a> {
             analysis: &scene.analysis,
             output: &scene.output,
             source: &scene.source,
-            sets: sets.filter(|(_, region)| !coupled || of_it(region)).collect(),
-            supports: on_body(scene, name, "supports", &scene.supports, |support| &support.on)?,
+            sets: sets.filter(|(_, region)| !together || of_it(region)).collect(),
+            supports,
             loads: on_body(scene, name, "loads", &scene.loads, |load| &load.on)?,
             curve: on_body(scene, name, "curve", &scene.curve, |column| &column.on)?
                 .into_iter()
                 .filter(|column| !(structure && column.of.is_of_contact()))
                 .collect(),
-            coupled,
+            together,
+            in_fluid,
+            joined: joints.iter().any(|joint| joint.ends.iter().any(|(body, _)| *body == name)),
         })
     }
 
@@ -167,7 +140,7 @@ impl<'a> BodyInScene<'a> {
     /// A name of one of its sets without the name of the body, at the other end of a spring: both ends are of one body.
     pub(crate) fn own_set<'b>(&self, set: &'b str) -> &'b str {
         let rest = set.strip_prefix(self.name).and_then(|rest| rest.strip_prefix('.'));
-        rest.filter(|_| self.coupled).unwrap_or(set)
+        rest.filter(|_| self.together).unwrap_or(set)
     }
 
     /// The deflection of the body before it is strained.
@@ -185,7 +158,7 @@ impl<'a> BodyInScene<'a> {
     pub(crate) fn sole_motion(&self) -> Option<usize> {
         let mut motions = (0..self.supports.len()).filter(|&i| self.supports[i].motion().is_some());
         let first = motions.next().filter(|&i| self.supports[i].moved.is_some());
-        let alone = self.loads.is_empty() && motions.next().is_none() && !self.may_touch();
+        let alone = self.loads.is_empty() && motions.next().is_none() && !self.may_touch() && !self.together;
         first.filter(|_| alone && self.analysis.kind().seeks_force)
     }
 
@@ -195,7 +168,7 @@ impl<'a> BodyInScene<'a> {
     }
 
     /// Whether the shell has stresses of its own at the start.
-    fn is_stressed(&self) -> bool {
+    pub(crate) fn is_stressed(&self) -> bool {
         self.as_shell().is_some_and(|shell| !shell.initial_stress.is_empty())
     }
 

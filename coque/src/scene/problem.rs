@@ -120,8 +120,8 @@ impl Scene {
         if let Some(BodyScene::Solid(solid)) = self.bodies.values().next() { Some(solid) } else { None }
     }
 
-    /// Whether bodies are built together: a fluid with its walls and the structures in it.
-    pub(crate) fn is_coupled(&self) -> bool {
+    /// Whether bodies are built together: several, or a fluid with its walls and the structures in it.
+    pub(crate) fn is_together(&self) -> bool {
         self.bodies.len() > 1 || self.fluid().is_some()
     }
 

@@ -123,7 +123,8 @@ pub struct Spring {
     /// Stiffness of the whole set: force by displacement along a direction, moment by radian about an axis \[F/L, F L\].
     pub stiffness: Positive,
     /// The set at the other end of springs along a direction, of as many places, each paired with the nearest one; two rigid sets are joined at
-    /// their reference points. Left out, the ground.
+    /// their reference points. Left out, the ground. A set of another body, `NAME.set`, joins the two: the pairs then share the stiffness
+    /// equally.
     pub to: Option<String>,
 }
 

@@ -75,6 +75,11 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         weights
     }
 
+    /// Unknowns of a node with the way that it goes for a unit of each.
+    pub(super) fn directions(&self, node: usize) -> impl Iterator<Item = (usize, Vec3)> {
+        self.unknowns.of(node).map(|unknown| (unknown, *self.unknowns.direction(unknown)))
+    }
+
     fn couplings(&self) -> &BlockPattern {
         self.couplings.get_or_init(|| self.solid.mechanics.couplings())
     }
@@ -141,7 +146,7 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
     /// Rows of `∂(external − internal)/∂λ`: the loads, and `−K_fc ċ` of the prescribed values c.
     fn level_rates(&mut self, level: f64) -> Vec<Vec3> {
         self.put(level);
-        self.external_at(1.0);
+        self.solid.evaluate_loads(Instant { time: 0.0, level: 1.0 });
         let count = self.solid.rows.len();
         let mut rates = vec![Vec3::zeros(); count];
         for &row in &self.moved {
@@ -183,7 +188,8 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
         // Loads are proportional to the level.
         if self.moved.is_empty() {
-            return self.external(1.0, out);
+            self.solid.evaluate_loads(Instant { time: 0.0, level: 1.0 });
+            return self.unknowns.project(|row| self.solid.external_force(row), out);
         }
         let rows = self.level_rates(level);
         self.unknowns.project(|row| rows[row], out);

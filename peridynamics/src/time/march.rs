@@ -142,7 +142,7 @@ impl MassScaled for Solid {
 
 impl Solid {
     /// `M^{-½} v` of a row, without what supports hold.
-    fn scaled(&self, row: usize, v: Vec3) -> Vec3 {
+    pub(super) fn scaled(&self, row: usize, v: Vec3) -> Vec3 {
         self.free_part(row, v) / self.masses[row].sqrt()
     }
 }

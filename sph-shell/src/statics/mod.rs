@@ -3,6 +3,7 @@
 pub(crate) mod blocks;
 pub(crate) mod dofs;
 mod equilibrium;
+mod joined;
 pub(crate) mod load_stiffness;
 pub(crate) mod projection;
 pub(crate) mod static_shell;

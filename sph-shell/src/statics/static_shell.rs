@@ -113,15 +113,19 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Turns rows `[f, τ]` of all particles into components along the unknowns.
     pub(crate) fn project(&self, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
         for a in 0..self.shell.len() {
-            let (mut row, out) = (self.shell.gathered(a, &row), &mut out[self.dofs.of(a)]);
-            if let Some(group) = self.shell.dependents.junctions.body_of(a).filter(|group| group.first() == a)
-            {
-                row = group.along_unknowns(&self.shell.motion.state, row);
-            }
-            match self.carried.get(a) {
-                Some(basis) => basis.project(&row, out),
-                None => self.basis(a).project(&row, out),
-            }
+            self.project_one(a, &row, &mut out[self.dofs.of(a)]);
+        }
+    }
+
+    /// The components along the unknowns of one particle, or of the group that it stands for.
+    pub(crate) fn project_one(&self, a: usize, row: impl Fn(usize) -> [f64; 6], out: &mut [f64]) {
+        let mut row = self.shell.gathered(a, row);
+        if let Some(group) = self.shell.dependents.junctions.body_of(a).filter(|group| group.first() == a) {
+            row = group.along_unknowns(&self.shell.motion.state, row);
+        }
+        match self.carried.get(a) {
+            Some(basis) => basis.project(&row, out),
+            None => self.basis(a).project(&row, out),
         }
     }
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod evaluation;
 pub(crate) mod fused;
+mod joined;
 pub(crate) mod march;
 pub(crate) mod particle;
 pub(crate) mod spectrum;

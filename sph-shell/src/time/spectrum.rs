@@ -128,7 +128,7 @@ impl Shell {
     }
 
     /// `M^{-½} v` of particle `a`, without what supports and the unit length of the director forbid.
-    fn unscaled(&self, a: usize, v: &[f64]) -> Row {
+    pub(super) fn unscaled(&self, a: usize, v: &[f64]) -> Row {
         if let Some(group) = self.dependents.junctions.of(a) {
             return self.scaled(group).unscaled(a, v);
         }
@@ -136,7 +136,7 @@ impl Shell {
     }
 
     /// `M^{-½}` times the row of particle `a` among rows of particles, without what is held.
-    fn free_part(&self, a: usize, row: impl Fn(usize) -> Row) -> Row {
+    pub(super) fn free_part(&self, a: usize, row: impl Fn(usize) -> Row) -> Row {
         if let Some(group) = self.dependents.junctions.of(a) {
             return self.scaled(group).free_part(a, row);
         }

@@ -12,13 +12,14 @@ use super::probes::{Measuring, probes};
 use super::soft::soft;
 use super::structures::{WettedBody, wet};
 use super::watched::watched;
+use crate::bodies::beside::{identity, judge_each, lines};
 use crate::bodies::fluid::escaped::basins;
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::walls::{BuiltWalls, Corner, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::memory::check_memory;
 use crate::bodies::refusal::model_error;
-use crate::bodies::{BuiltBody, Description, Identity, Memory, Model, Ready, Shape};
+use crate::bodies::{BuiltBody, Description, Memory, Model, Ready};
 use crate::scene::body_in_scene::{BodyInScene, gravity_on};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, BodyScene, Coupling, CouplingOrder, FluidScene};
@@ -82,17 +83,6 @@ pub(in crate::bodies) fn coupled_model(
         judges.extend(made.judge.map(|judge| (judge, range.clone(), cells)));
         structures.push(made.body);
     }
-    let judge = move |_: &[Cell], shapes: &[Shape]| -> Vec<Warning> {
-        let look = |(judge, range, cells): &(
-            crate::bodies::model::ShapeJudge,
-            std::ops::Range<usize>,
-            Vec<Cell>,
-        )| {
-            let own = |shape: &Shape| Shape { positions: shape.positions[range.clone()].to_vec(), ..*shape };
-            judge(cells, &shapes.iter().map(own).collect::<Vec<_>>())
-        };
-        judges.iter().flat_map(look).collect()
-    };
     let mut clocks = TwoClocks::new(fluid, structures);
     clocks.order = coupling.order;
     clocks.impedance = coupling.impedance;
@@ -108,7 +98,7 @@ pub(in crate::bodies) fn coupled_model(
         probes,
         driven: None,
         warnings,
-        judge: Some(Box::new(judge)),
+        judge: Some(judge_each(judges)),
         sets: BTreeMap::new(),
     };
     Ok(Model { sets, ..made.model(scene, threads) })
@@ -302,13 +292,7 @@ fn described(
     let moving = || [fluid].into_iter().chain(made.iter().map(|(_, made)| &made.description));
     let particles: usize = moving().map(|body| body.particles).sum();
     let bytes: f64 = moving().map(|body| body.bytes_per_particle * body.particles as f64).sum();
-    let lines = |of: fn(&Description) -> &Vec<String>| -> Vec<String> {
-        bodies
-            .iter()
-            .flat_map(|(name, body)| of(body).iter().map(move |line| format!("{name}: {line}")))
-            .collect()
-    };
-    let mut modelled = lines(|body| &body.modelled);
+    let mut modelled = lines(bodies.iter(), |body| &body.modelled);
     if plane {
         modelled.push("energies: those of a plane fluid by depth, of structures by their own width".into());
     }
@@ -321,7 +305,7 @@ fn described(
         spacing: fluid.spacing,
         bytes_per_particle: bytes / particles as f64,
         modelled,
-        left_out: lines(|body| &body.left_out),
+        left_out: lines(bodies.iter(), |body| &body.left_out),
         ..Description::default()
     };
     (bodies, total)
@@ -331,15 +315,4 @@ fn described(
 fn together(fluid: Memory, made: &[(&str, BuiltBody<Box<dyn Structure>>)]) -> Memory {
     let needed = made.iter().map(|(_, made)| made.memory.needed).sum::<f64>() + fluid.needed;
     Memory { needed, available: fluid.available }
-}
-
-/// The files that surfaces of structures were read from, and one checksum of theirs.
-fn identity(made: &[(&str, BuiltBody<Box<dyn Structure>>)]) -> Identity {
-    let files: Vec<&str> = made.iter().filter_map(|(_, made)| made.identity.file.as_deref()).collect();
-    let sums: Vec<u8> =
-        made.iter().filter_map(|(_, made)| made.identity.checksum).flat_map(u32::to_le_bytes).collect();
-    Identity {
-        file: (!files.is_empty()).then(|| files.join(", ")),
-        checksum: (!sums.is_empty()).then(|| crc32fast::hash(&sums)),
-    }
 }

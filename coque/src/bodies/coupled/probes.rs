@@ -8,8 +8,9 @@ use super::layout::Layout;
 use crate::bodies::Probe;
 use crate::bodies::fluid::sets::{OnWalls, of_fluid, of_walls};
 use crate::bodies::fluid::walls::BuiltWalls;
-use crate::scene::body_in_scene::{BodyInScene, Owner};
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
+use crate::scene::owner::Owner;
 use crate::scene::{Measured, Probe as Column};
 
 /// What columns are found from; gauges are added to the layout.

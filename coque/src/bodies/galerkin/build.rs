@@ -60,6 +60,17 @@ pub(in crate::bodies) fn galerkin_model(
     options: &scene::Galerkin,
     threads: usize,
 ) -> Result<Model, SceneError> {
+    let made = galerkin_made(scene, solid, options, threads)?;
+    Ok(made.map(|body| Ready::Static(Box::new(body))).model(scene.scene, threads))
+}
+
+/// Builds a Galerkin solid and looks at it.
+pub(in crate::bodies) fn galerkin_made(
+    scene: &BodyInScene<'_>,
+    solid: &SolidScene,
+    options: &scene::Galerkin,
+    threads: usize,
+) -> Result<BuiltBody<GalerkinSolid>, SceneError> {
     let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened, sets } =
         galerkin(scene, solid, options, threads)?;
     let body = GalerkinSolid::new(galerkin, &places, supports);
@@ -67,8 +78,7 @@ pub(in crate::bodies) fn galerkin_model(
     let description = describe(scene, solid, options, (&body, widened), places.block.greatest_spacing());
     let warnings = warnings_of(scene, options, places.lattice.lengths, &places.block);
     let (identity, judge) = (Identity::default(), None);
-    let made = BuiltBody { body, description, memory, identity, probes, driven, warnings, judge, sets };
-    Ok(made.map(|body| Ready::Static(Box::new(body))).model(scene.scene, threads))
+    Ok(BuiltBody { body, description, memory, identity, probes, driven, warnings, judge, sets })
 }
 
 fn galerkin(

@@ -6,6 +6,7 @@ mod conditions;
 mod describe;
 mod faces;
 mod fields;
+mod joined;
 mod parts;
 mod places;
 mod recovery;

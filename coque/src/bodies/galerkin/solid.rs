@@ -23,7 +23,7 @@ pub(crate) struct GalerkinSolid {
 }
 
 impl GalerkinSolid {
-    pub fn new(galerkin: Galerkin, places: &Places, supports: Option<Supports>) -> Self {
+    pub(super) fn new(galerkin: Galerkin, places: &Places, supports: Option<Supports>) -> Self {
         let reactions = vec![Vec3::zeros(); galerkin.nodes()];
         let (hexahedra, outer) = (places.cells.cells.clone(), places.outer());
         let scratch = vec![0.0; galerkin.unknowns()];

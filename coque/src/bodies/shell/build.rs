@@ -133,7 +133,7 @@ pub(super) fn assemble(
         threads,
     };
     // Files may stand anywhere, and a part of several bodies shares its places with the others.
-    let far = imported.is_some() && !scene.coupled;
+    let far = imported.is_some() && !scene.together;
     let origin = if far { origin_of(&parts.cloud) } else { Vec3::zeros() };
     let mut shell = Shell::builder(parts)
         .regions(sections.regions)

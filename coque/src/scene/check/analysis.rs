@@ -33,7 +33,8 @@ pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
     if kind.wants_tangent {
         check_tangent(scene)?;
     }
-    if kind.wants_driver { check_driver(scene) } else { Ok(()) }
+    // Of several bodies one that is driven is enough.
+    if kind.wants_driver && !scene.together { check_driver(scene) } else { Ok(()) }
 }
 
 fn check_linear(scene: &BodyInScene<'_>, Linear { solver, iterations }: &Linear) -> Verdict {
@@ -179,7 +180,7 @@ fn check_tangent(scene: &BodyInScene<'_>) -> Verdict {
 }
 
 /// One load level drives the analysis: loads, prescribed motions, or both.
-fn check_driver(scene: &BodyInScene<'_>) -> Verdict {
+pub(super) fn check_driver(scene: &BodyInScene<'_>) -> Verdict {
     if scene.stress_drives() {
         return Ok(());
     }

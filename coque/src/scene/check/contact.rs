@@ -11,7 +11,7 @@ pub(super) fn check_contact(scene: &Scene) -> Verdict {
     let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
         Err(SceneError::Choice(s.fault(path, value, bound, repair)))
     };
-    if between.is_some() || scene.is_coupled() {
+    if between.is_some() || scene.is_together() {
         let (path, value) = match between {
             Some(_) => ("contact[0].between", "contact of two bodies"),
             None => ("contact", "contact of a body in a scene of several"),

@@ -170,7 +170,7 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     }
     if solid.is_some() {
         known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);
-    } else if !scene.coupled {
+    } else if !scene.in_fluid {
         known.extend([ReactionMoment, VonMises, Stress, MembraneForce, BendingMoment, ShearForce, Energy]);
     }
     known
@@ -200,7 +200,7 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
         let fault = s.fault("output.fields.points", value, bound, "remove it");
         return Err(SceneError::Choice(fault));
     }
-    if !scene.coupled {
+    if !scene.together {
         check_plot(s, scene.output, &names)?;
     }
     check_checkpoints(scene)

@@ -17,7 +17,7 @@ pub(super) fn check_imperfection(scene: &BodyInScene<'_>, s: &Scope<'_>) -> Verd
         let refuse = |value: &str, bound: &str, repair: &str| {
             Err(SceneError::Choice(s.fault("imperfection.mode", value, bound, repair)))
         };
-        if scene.coupled {
+        if scene.together {
             let bound = "a body alone: where several act on each other its loads are not its own";
             return refuse("a mode of one of several bodies", bound, "remove the imperfection");
         }

@@ -10,6 +10,7 @@ mod gauges;
 mod imperfection;
 mod preload;
 mod sets;
+mod several;
 mod shell;
 mod solid;
 mod together;
@@ -39,7 +40,7 @@ pub(super) fn check(scene: &Scene) -> Verdict {
     check_bodies(scene)?;
     check_coupling(scene)?;
     check_contact(scene)?;
-    match scene.is_coupled() {
+    match scene.is_together() {
         true => check_together(scene),
         false => check_alone(&BodyInScene::new(scene, name, body)?),
     }

@@ -5,10 +5,12 @@ use std::collections::BTreeSet;
 use super::check_alone;
 use super::curve::{check_column_name, check_measured_alike, check_plot};
 use super::fluid::check_sound_speed;
-use crate::scene::body_in_scene::{BodyInScene, OnSet, Owner, gravity_on};
+use super::several::{check_joints, check_several};
+use crate::scene::body_in_scene::{BodyInScene, OnSet, gravity_on};
 use crate::scene::coupling::Coupling;
 use crate::scene::curve::{Measured, mean_of};
 use crate::scene::error::{SceneError, Verdict};
+use crate::scene::owner::Owner;
 use crate::scene::problem::{BodyScene, Scene};
 use sph_core::Vec3;
 
@@ -30,31 +32,34 @@ pub(super) fn check_kinds(scene: &Scene) -> Verdict {
     if fluid.is_some() {
         return Ok(());
     }
-    let mut structures = scene.bodies.iter().filter(|(_, body)| !matches!(body, BodyScene::Walls(_)));
-    let Some((first, _)) = structures.next() else {
-        let name = scene.bodies.keys().next().map_or("", String::as_str);
-        let repair = "add the fluid before them, as in [bodies.water.fluid]";
-        let bound = "a fluid that they bound";
-        return Err(SceneError::Choice(s.fault(&format!("bodies.{name}"), "walls alone", bound, repair)));
-    };
-    let Some(second) = scene.bodies.keys().find(|name| *name != first) else { return Ok(()) };
-    let (path, value) = (format!("bodies.{second}"), format!("a body beside `{first}`"));
-    let repair = "keep one of them, or add the fluid that couples them, as in [bodies.water.fluid]";
-    Err(SceneError::Choice(s.fault(&path, &value, "the only body", repair)))
+    let walls = scene.bodies.iter().find(|(_, body)| matches!(body, BodyScene::Walls(_)));
+    let Some((name, _)) = walls else { return Ok(()) };
+    let value = if scene.structures().next().is_none() { "walls alone" } else { "walls" };
+    let repair = "add the fluid before them, as in [bodies.water.fluid]";
+    Err(SceneError::Choice(s.fault(&format!("bodies.{name}"), value, "a fluid that they bound", repair)))
 }
 
-/// Refuses what does not go with a fluid and the bodies in it, then what is wrong with each of them alone.
+/// Refuses what does not go with other bodies, or with a fluid, then what is wrong with each of them alone.
 pub(super) fn check_together(scene: &Scene) -> Verdict {
-    check_transient(scene)?;
+    let in_fluid = scene.fluid().is_some();
+    if in_fluid {
+        check_transient(scene)?;
+    }
     check_owners(scene)?;
+    check_joints(scene)?;
+    if !in_fluid {
+        check_several(scene)?;
+    }
     for (name, body) in &scene.bodies {
         check_alone(&BodyInScene::new(scene, name, body)?)?;
     }
     check_dimensions(scene)?;
     check_sizes(scene)?;
     check_spacings(scene)?;
-    check_sound_speed(scene)?;
-    check_contact_columns(scene)?;
+    if in_fluid {
+        check_sound_speed(scene)?;
+        check_contact_columns(scene)?;
+    }
     check_columns_together(scene)
 }
 

@@ -99,7 +99,7 @@ pub(in crate::scene::check) fn check_parts(
         let bound = "none but where strains are sampled in cells";
         return refuse(several, bound, "use [formulation.stress-point] without `support`, the default");
     }
-    if scene.coupled {
+    if scene.in_fluid {
         return refuse(several, "none in a fluid", "give the shell one material and one thickness");
     }
     for (i, part) in shell.parts.iter().enumerate() {
@@ -137,7 +137,7 @@ fn check_ties(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Scope<'_>) -> Ver
         let bound = "none but where strains are sampled in cells";
         return refuse(bound, "use [formulation.stress-point] without `support`, the default");
     }
-    if scene.coupled {
+    if scene.in_fluid {
         return refuse("none in a fluid", "mesh the shell so that its sheets share nodes where they meet");
     }
     Ok(())

@@ -40,12 +40,11 @@ pub(in crate::scene::check) fn check_wetting(
     shell: &ShellScene,
     s: &Scope<'_>,
 ) -> Verdict {
-    let together = scene.coupled;
-    if shell.wet.is_some() && !together {
+    if shell.wet.is_some() && !scene.in_fluid {
         let repair = "remove it, or add a fluid, as in [bodies.water.fluid]";
         return Err(SceneError::Choice(s.fault("wet", "wet faces", "none without a fluid", repair)));
     }
-    if shell.orientation.is_some() && together {
+    if shell.orientation.is_some() && scene.together {
         let repair = "use placed = { origin = […], u = […], v = […] }, which moves the shape alone";
         let bound = "none beside other bodies: gravity and probes would turn with it";
         return Err(SceneError::Choice(s.fault("orientation", "a rotation", bound, repair)));

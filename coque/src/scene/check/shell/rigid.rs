@@ -41,7 +41,7 @@ pub(super) fn check_rigid(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Scope
         let bound = "none but where strains are sampled in cells";
         return refuse(bound, "use [formulation.stress-point] without `support`, the default");
     }
-    if scene.coupled {
+    if scene.in_fluid {
         return refuse("none in a fluid", "leave it out: cells of a fluid's shell bend everywhere");
     }
     Ok(())

@@ -26,7 +26,7 @@ pub(in crate::scene::check) fn check_tools(
         let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
         return refuse(format!("none in {}, in which nothing opens or closes", kind.name), repair);
     }
-    if scene.coupled {
+    if scene.in_fluid {
         return refuse("none in a fluid".into(), "leave them out");
     }
     let mut names = BTreeSet::new();

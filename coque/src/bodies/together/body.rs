@@ -1,0 +1,108 @@
+//! Several bodies as one: what is read, shown and kept of them.
+
+use std::borrow::Cow;
+
+use sph_core::Vec3;
+
+use super::layout::Layout;
+use super::parts::Parts;
+use crate::Warning;
+use crate::bodies::body::{Body, Configuration, Diagnostics, Mismatch, StateArray};
+use crate::bodies::sampled::POINT_NUMBERS;
+use crate::bodies::{FieldRequest, FieldSource};
+use crate::scene::Measured;
+
+/// Bodies that are solved together, with their places one behind the other.
+pub(super) struct Together<S> {
+    pub system: S,
+    pub layout: Layout,
+}
+
+impl<S: Parts> Body for Together<S> {
+    fn configuration(&self) -> Configuration<'_> {
+        let mut present = Vec::with_capacity(self.layout.rest.len());
+        self.system.each().iter().for_each(|part| present.extend(part.configuration().present));
+        Configuration { rest: &self.layout.rest, present, cells: &self.layout.cells }
+    }
+
+    fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64 {
+        let (body, own) = self.layout.place(particle);
+        self.system.each().get(body).map_or(0.0, |part| part.read(of, own, along))
+    }
+
+    /// A column measures points of one body.
+    fn point_numbers(&self, points: &[u32]) -> Vec<[f64; POINT_NUMBERS]> {
+        let Some(&first) = points.first() else { return Vec::new() };
+        let (body, own) = self.layout.point(first as usize);
+        let before = first - own as u32;
+        let points: Vec<u32> = points.iter().map(|point| point - before).collect();
+        self.system.each().get(body).map_or_else(Vec::new, |part| part.point_numbers(&points))
+    }
+
+    /// Those of the first body.
+    fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
+        self.fields_of(0, shown)
+    }
+
+    fn bodies(&self) -> Vec<&str> {
+        self.layout.names.iter().map(String::as_str).collect()
+    }
+
+    fn fields_of<'a>(&'a self, body: usize, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
+        let range = self.layout.forces.get(body).cloned();
+        let forces = shown.forces.zip(range).map(|(forces, range)| &forces[range]);
+        self.system.each()[body].fields(&FieldRequest { forces, ..*shown })
+    }
+
+    fn diagnostics(&self) -> Diagnostics {
+        let named = |(part, name): (&&dyn Body, &String)| -> Vec<Warning> {
+            let own = part.diagnostics().warnings.into_iter();
+            own.map(|own| Warning::new(own.kind, format!("{name}: {}", own.message))).collect()
+        };
+        let warnings = self.system.each().iter().zip(&self.layout.names).flat_map(named).collect();
+        Diagnostics { fluid: None, warnings }
+    }
+
+    fn state(&self) -> Vec<StateArray<'_>> {
+        let parts = self.system.each().into_iter().zip(&self.layout.names);
+        let named = |(part, name): (&'_ dyn Body, &String)| {
+            let own = part.state().into_iter();
+            let named = own.map(|array| StateArray {
+                name: Cow::Owned(format!("{name}: {}", array.name)),
+                numbers: Cow::Owned(array.numbers.into_owned()),
+            });
+            named.collect::<Vec<_>>()
+        };
+        parts.flat_map(named).collect()
+    }
+
+    fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
+        // Nothing is changed by the state of other bodies: what a part took up it gives back.
+        let own: Vec<StateArray<'static>> = self.state().into_iter().map(owned).collect();
+        let done = self.take_up(arrays);
+        if done.is_err() {
+            let _ = self.take_up(&own);
+        }
+        done
+    }
+}
+
+impl<S: Parts> Together<S> {
+    fn take_up(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
+        let of = |name: &str| -> Vec<StateArray<'_>> {
+            let start = format!("{name}: ");
+            let own = arrays.iter().filter_map(|array| {
+                let name = array.name.strip_prefix(&start)?;
+                Some(StateArray { name: Cow::Owned(name.into()), numbers: Cow::Borrowed(&array.numbers) })
+            });
+            own.collect()
+        };
+        let parts: Vec<_> = self.layout.names.iter().map(|name| of(name)).collect();
+        let mut bodies = self.system.each_mut();
+        bodies.iter_mut().zip(&parts).try_for_each(|(body, own)| body.set_state(own))
+    }
+}
+
+fn owned(array: StateArray<'_>) -> StateArray<'static> {
+    StateArray { name: Cow::Owned(array.name.into_owned()), numbers: Cow::Owned(array.numbers.into_owned()) }
+}

@@ -1,0 +1,173 @@
+//! From a scene of several bodies without a fluid to one that is marched or balanced.
+
+use std::collections::BTreeMap;
+
+use peridynamics::StaticSolid;
+use sph_shell::StaticShell;
+
+use super::body::Together;
+use super::joints::{BetweenBodies, SetsOfBodies};
+use super::layout::Layout;
+use super::parts::{Balanced, BalancedPart, Marched, MarchedPart};
+use crate::bodies::beside::{identity, judge_each, lines};
+use crate::bodies::body::Body;
+use crate::bodies::galerkin::build::galerkin_made;
+use crate::bodies::refusal::{not_a, refuse_modes};
+use crate::bodies::shell::build::shell_made;
+use crate::bodies::solid::build::solid_made;
+use crate::bodies::{BuiltBody, Description, Memory, Model, Probe, Ready};
+use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
+use crate::scene::error::SceneError;
+use crate::scene::owner::Owner;
+use crate::scene::{Analysis, BodyScene, Scene};
+use crate::warning::Warning;
+
+/// A body as it was built, in time or at rest.
+enum Part {
+    Marched(Box<dyn MarchedPart>),
+    Balanced(Box<dyn BalancedPart>),
+}
+
+impl Part {
+    fn body(&self) -> &dyn Body {
+        match self {
+            Self::Marched(body) => body.as_ref(),
+            Self::Balanced(body) => body.as_ref(),
+        }
+    }
+}
+
+/// Builds all bodies with what is asked of them.
+pub(in crate::bodies) fn together_model(
+    scene: &Scene,
+    bodies: &[BodyInScene<'_>],
+    threads: usize,
+) -> Result<Model, SceneError> {
+    let mut made = Vec::new();
+    for body in bodies {
+        made.push((body.name, part(body, threads)?));
+    }
+    let mut layout = Layout::default();
+    let mut sets = SetsOfBodies::new();
+    for (name, part) in &mut made {
+        layout.add(name, part.body.body(), part.description.points);
+        sets.insert((*name).to_string(), std::mem::take(&mut part.sets));
+    }
+    let joints = BetweenBodies::find(scene, &layout, &sets)?;
+    let own = made.iter_mut().map(|(_, part)| std::mem::take(&mut part.probes)).collect();
+    let probes = probes(scene, &layout, own)?;
+    let warned = |(name, part): &mut (&str, BuiltBody<Part>)| -> Vec<Warning> {
+        let own = std::mem::take(&mut part.warnings).into_iter();
+        own.map(|own| Warning::new(own.kind, format!("{name}: {}", own.message))).collect()
+    };
+    let warnings = made.iter_mut().flat_map(warned).collect();
+    let description = described(scene, &made, joints.as_ref());
+    refuse_modes(scene, description.dof)?;
+    let memory = made.iter().fold(Memory::default(), |sum, (_, part)| Memory {
+        needed: sum.needed + part.memory.needed,
+        available: part.memory.available,
+    });
+    let identity = identity(&made);
+    let mut judges = Vec::new();
+    let (mut marched, mut balanced): (Vec<Box<dyn MarchedPart>>, Vec<Box<dyn BalancedPart>>) =
+        Default::default();
+    for ((_, part), range) in made.into_iter().zip(&layout.particles) {
+        let cells = part.body.body().configuration().cells.to_vec();
+        judges.extend(part.judge.map(|judge| (judge, range.clone(), cells)));
+        match part.body {
+            Part::Marched(body) => marched.push(body),
+            Part::Balanced(body) => balanced.push(body),
+        }
+    }
+    if matches!(scene.analysis, Analysis::Linear(_)) {
+        let mut end = 0;
+        let forces = balanced.iter().map(|body| {
+            let first = end;
+            end += body.forces().len();
+            first..end
+        });
+        layout.forces = forces.collect();
+    }
+    let body = match &scene.analysis {
+        Analysis::Explicit(_) => {
+            let system = Marched::new(marched, joints.map(|joints| Box::new(joints) as _));
+            Ready::Dynamic(Box::new(Together { system, layout }))
+        }
+        _ => {
+            let system = Balanced::new(balanced, joints.map(|joints| Box::new(joints) as _));
+            Ready::Static(Box::new(Together { system, layout }))
+        }
+    };
+    let (driven, judge) = (None, Some(judge_each(judges)));
+    let own_sets = BTreeMap::new();
+    let made =
+        BuiltBody { body, description, memory, identity, probes, driven, warnings, judge, sets: own_sets };
+    let sets = if scene.output.fields.is_some() { sets } else { BTreeMap::new() };
+    Ok(Model { sets, ..made.model(scene, threads) })
+}
+
+/// What each body is, and what they are together.
+fn described(scene: &Scene, made: &[(&str, BuiltBody<Part>)], joints: Option<&BetweenBodies>) -> Description {
+    let each = || made.iter().map(|(_, part)| &part.description);
+    let bodies: BTreeMap<String, Description> =
+        made.iter().map(|(name, part)| ((*name).to_string(), part.description.clone())).collect();
+    let particles: usize = each().map(|body| body.particles).sum();
+    let bytes: f64 = each().map(|body| body.bytes_per_particle * body.particles as f64).sum();
+    let mut modelled = lines(bodies.iter(), |body| &body.modelled);
+    modelled.extend(joints.map(BetweenBodies::line));
+    let way = if matches!(scene.analysis, Analysis::Explicit(_)) { "one clock" } else { "one balance" };
+    Description {
+        kind: "several",
+        method: way.into(),
+        particles,
+        points: each().map(|body| body.points).sum(),
+        dof: each().map(|body| body.dof).sum(),
+        spacing: each().map(|body| body.spacing).fold(f64::INFINITY, f64::min),
+        bytes_per_particle: bytes / particles as f64,
+        modelled,
+        left_out: lines(bodies.iter(), |body| &body.left_out),
+        bodies,
+        ..Description::default()
+    }
+}
+
+/// Builds one of the bodies.
+fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<BuiltBody<Part>, SceneError> {
+    let marched = matches!(scene.analysis, Analysis::Explicit(_));
+    match scene.body {
+        BodyScene::Shell(shell) => {
+            let made = shell_made(&ShellInScene::new(scene, shell), threads, None)?;
+            Ok(made.map(|shell| match marched {
+                true => Part::Marched(Box::new(shell)),
+                false => Part::Balanced(Box::new(StaticShell::new(shell))),
+            }))
+        }
+        BodyScene::Solid(solid) => match solid.galerkin() {
+            Some(options) => {
+                let made = galerkin_made(scene, solid, options, threads)?;
+                Ok(made.map(|solid| Part::Balanced(Box::new(solid))))
+            }
+            None => Ok(solid_made(scene, solid, threads, false)?.map(|solid| match marched {
+                true => Part::Marched(Box::new(solid)),
+                false => Part::Balanced(Box::new(StaticSolid::new(solid))),
+            })),
+        },
+        BodyScene::Fluid(_) | BodyScene::Walls(_) => Err(not_a(scene, "shell")),
+    }
+}
+
+/// The columns in the order of the scene; `own` are those of each body.
+fn probes(scene: &Scene, layout: &Layout, own: Vec<Vec<Probe>>) -> Result<Vec<Probe>, SceneError> {
+    let mut own: Vec<_> = own.into_iter().map(Vec::into_iter).collect();
+    let mut all = Vec::new();
+    for (i, column) in scene.curve.iter().enumerate() {
+        let Owner::Of(body, _) = Owner::of(scene, &format!("curve[{i}].on"), &column.on)? else { continue };
+        let Some(number) = layout.names.iter().position(|name| name == body) else { continue };
+        let Some(mut probe) = own[number].next() else { continue };
+        let ranges = if probe.sampled.is_some() { &layout.points } else { &layout.particles };
+        let first = ranges[number].start as u32;
+        probe.particles.iter_mut().for_each(|particle| *particle += first);
+        all.push(probe);
+    }
+    Ok(all)
+}

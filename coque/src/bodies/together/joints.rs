@@ -1,0 +1,201 @@
+//! Springs between sets of two bodies: from the scene's words to what acts between systems.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use contact::{Joint, Joints};
+use sph_core::Vec3;
+
+use super::layout::Layout;
+use crate::scene::error::SceneError;
+use crate::scene::joints::{JointInScene, joints};
+use crate::scene::owner::Owner;
+use crate::scene::{Analysis, Scene};
+
+/// Sets of each body by name, with the numbers of their particles in it.
+pub(super) type SetsOfBodies = BTreeMap<String, BTreeMap<String, Vec<u32>>>;
+
+/// Springs between bodies.
+#[derive(Clone)]
+pub(super) struct BetweenBodies {
+    /// Particles at their ends, by body.
+    particles: Vec<Vec<u32>>,
+    springs: Joints,
+    /// Number of springs.
+    count: usize,
+}
+
+impl explicit_dynamics::Interaction for BetweenBodies {
+    fn particles(&self) -> Vec<Vec<u32>> {
+        self.particles.clone()
+    }
+
+    fn evaluate(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64 {
+        self.springs.evaluate(places, forces)
+    }
+
+    fn resist(&self, motion: &[[f64; 3]], forces: &mut [[f64; 3]]) {
+        self.springs.resist(motion, forces);
+    }
+
+    fn fastest(&self, masses: &[f64]) -> f64 {
+        self.springs.fastest(masses)
+    }
+}
+
+impl implicit_statics::Interaction for BetweenBodies {
+    fn particles(&self) -> Vec<Vec<u32>> {
+        self.particles.clone()
+    }
+
+    fn pairs(&self) -> Vec<[usize; 2]> {
+        self.springs.pairs()
+    }
+
+    fn evaluate(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64 {
+        self.springs.evaluate(places, forces)
+    }
+
+    fn stiffness(&self, blocks: &mut [[[f64; 3]; 3]]) {
+        self.springs.stiffness(blocks);
+    }
+}
+
+impl BetweenBodies {
+    /// A line for the summary.
+    pub fn line(&self) -> String {
+        format!("springs between bodies: {}", self.count)
+    }
+
+    /// The springs of a scene; none without any.
+    ///
+    /// # Errors
+    /// [`SceneError::Set`] for sets that do not pair, and for an end whose motion is prescribed where no time passes.
+    pub fn find(scene: &Scene, layout: &Layout, sets: &SetsOfBodies) -> Result<Option<Self>, SceneError> {
+        let mut pairs: Vec<([u32; 2], f64, Vec3)> = Vec::new();
+        for joint in joints(scene)? {
+            let [ends, others] = [0, 1].map(|end| places(scene, &joint, end, layout, sets));
+            let (ends, others) = (ends?, others?);
+            refuse_moved(scene, &joint, [&ends, &others], layout, sets)?;
+            let found = paired(scene, &joint, [&ends, &others], layout)?;
+            let each = joint.spring.stiffness.get() / found.len() as f64;
+            let direction = Vec3::from(joint.spring.direction.unwrap_or_default()).normalize();
+            pairs.extend(found.into_iter().map(|ends| (ends, each, direction)));
+        }
+        if pairs.is_empty() {
+            return Ok(None);
+        }
+        let touched: BTreeSet<u32> = pairs.iter().flat_map(|(ends, ..)| *ends).collect();
+        let touched: Vec<u32> = touched.into_iter().collect();
+        let number = |particle: u32| touched.partition_point(|&other| other < particle);
+        let springs = pairs.into_iter().map(|(ends, stiffness, direction)| Joint {
+            ends: ends.map(number),
+            stiffness,
+            direction,
+        });
+        let rest = touched.iter().map(|&particle| layout.rest[particle as usize]).collect();
+        let springs: Vec<Joint> = springs.collect();
+        let count = springs.len();
+        let springs = Joints::new(springs, rest);
+        let own = |range: &std::ops::Range<usize>| {
+            let inside = touched.iter().map(|&particle| particle as usize).filter(|a| range.contains(a));
+            inside.map(|particle| (particle - range.start) as u32).collect()
+        };
+        let particles = layout.particles.iter().map(own).collect();
+        Ok(Some(Self { particles, springs, count }))
+    }
+}
+
+/// Particles of all in a set of a body.
+fn members(layout: &Layout, sets: &SetsOfBodies, body: &str, set: &str) -> Vec<u32> {
+    let number = layout.names.iter().position(|name| name == body);
+    let first = number.map_or(0, |number| layout.particles[number].start as u32);
+    let own = sets.get(body).and_then(|sets| sets.get(set));
+    own.into_iter().flatten().map(|particle| first + particle).collect()
+}
+
+/// Particles of all at an end, one for each place.
+fn places(
+    scene: &Scene,
+    joint: &JointInScene<'_>,
+    end: usize,
+    layout: &Layout,
+    sets: &SetsOfBodies,
+) -> Result<Vec<u32>, SceneError> {
+    let (body, set) = joint.ends[end];
+    let mut all = members(layout, sets, body, set);
+    if all.is_empty() {
+        let path = format!("{}.{}", joint.path, ["on", "spring.to"][end]);
+        let (value, repair) = (format!("\"{body}.{set}\""), "name another set of that body");
+        return Err(SceneError::Set(scene.source.fault(&path, &value, "which has no particle", repair)));
+    }
+    let mut taken = BTreeSet::new();
+    all.retain(|particle| {
+        let x = layout.rest[*particle as usize];
+        taken.insert([x.x, x.y, x.z].map(f64::to_bits))
+    });
+    Ok(all)
+}
+
+/// Each place of a set with the nearest of the other: all of both, each once.
+fn paired(
+    scene: &Scene,
+    joint: &JointInScene<'_>,
+    [ends, others]: [&[u32]; 2],
+    layout: &Layout,
+) -> Result<Vec<[u32; 2]>, SceneError> {
+    let path = format!("{}.spring.to", joint.path);
+    let (body, set) = joint.ends[1];
+    let refuse = |value: String, bound: String| {
+        let repair = "name two sets of as many places that face each other, or one place of each";
+        Err(SceneError::Set(scene.source.fault(&path, &value, &bound, repair)))
+    };
+    if ends.len() != others.len() {
+        let value = format!("\"{body}.{set}\" with {} places", others.len());
+        return refuse(value, format!("and the set joined to it has {}", ends.len()));
+    }
+    let at = |particle: u32| layout.rest[particle as usize];
+    let mut taken = vec![false; others.len()];
+    let mut pairs = Vec::with_capacity(ends.len());
+    for &a in ends {
+        let away = |b: u32| (at(b) - at(a)).norm_squared();
+        let nearest = (0..others.len()).min_by(|&i, &j| away(others[i]).total_cmp(&away(others[j])));
+        let Some(number) = nearest else { continue };
+        if std::mem::replace(&mut taken[number], true) {
+            let x = at(others[number]);
+            let value = format!("\"{body}.{set}\" with a place at ({:.4}, {:.4}, {:.4})", x.x, x.y, x.z);
+            return refuse(
+                value,
+                "one place for each: two of the set joined to it have this one as their nearest".into(),
+            );
+        }
+        pairs.push([a, others[number]]);
+    }
+    Ok(pairs)
+}
+
+/// Without time no end may be moved by a support: answers are differentiated by the level at fixed unknowns.
+fn refuse_moved(
+    scene: &Scene,
+    joint: &JointInScene<'_>,
+    ends: [&[u32]; 2],
+    layout: &Layout,
+    sets: &SetsOfBodies,
+) -> Result<(), SceneError> {
+    if matches!(scene.analysis, Analysis::Explicit(_)) {
+        return Ok(());
+    }
+    for (i, support) in scene.supports.iter().enumerate().filter(|(_, support)| support.motion().is_some()) {
+        let Owner::Of(body, set) = Owner::of(scene, &format!("supports[{i}].on"), &support.on)? else {
+            continue;
+        };
+        let moved = members(layout, sets, body, set);
+        if moved.iter().any(|particle| ends.iter().any(|end| end.contains(particle))) {
+            let value = format!("a spring on places that the support on \"{}\" moves", support.on);
+            let bound = format!("on places that no support moves, in {}", scene.analysis.kind().name);
+            let repair = "move another set, or use [analysis.explicit]";
+            let fault = scene.source.fault(&format!("{}.on", joint.path), &value, &bound, repair);
+            return Err(SceneError::Set(fault));
+        }
+    }
+    Ok(())
+}

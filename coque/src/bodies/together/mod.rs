@@ -1,0 +1,13 @@
+//! Several bodies of a scene without a fluid as one, in time or at rest.
+//!
+//! Each keeps its own particles, conditions and files; they take the same steps or are balanced together. What they do to each other goes
+//! through one place: an `Interaction` of explicit-dynamics in marches, one of implicit-statics without time, which sees places of all and
+//! adds forces and, at rest, blocks of the tangent. Springs between sets (`joints.rs`) are the one there is.
+
+mod balance;
+mod body;
+pub(super) mod build;
+mod joints;
+mod layout;
+mod march;
+mod parts;

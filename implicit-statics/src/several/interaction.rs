@@ -1,0 +1,32 @@
+//! What a system offers to others that act on it, and what acts between systems.
+
+use crate::equilibrium::Equilibrium;
+
+/// A system of particles on which others act.
+pub trait Joinable: Equilibrium {
+    /// Positions \[L\] of some particles in the present state.
+    fn places(&self, particles: &[u32], out: &mut [[f64; 3]]);
+
+    /// Exerts forces on some particles \[F\], always the same ones, whatever the level, until others are given.
+    fn exert(&mut self, particles: &[u32], forces: &[[f64; 3]]);
+
+    /// Each unknown that moves a particle, always the same ones, with the velocity of the particle for a unit of it.
+    fn motion_of(&self, particle: u32) -> Vec<(usize, [f64; 3])>;
+}
+
+/// What several systems do to each other: an energy of the places of some of their particles.
+///
+/// Those are numbered through in the order of [`Interaction::particles`], system after system.
+pub trait Interaction: Send {
+    /// Particles on which it acts, a list for each system; it never changes.
+    fn particles(&self) -> Vec<Vec<u32>>;
+
+    /// Pairs of places that share a block of its tangent, each once, and each place with itself; they never change.
+    fn pairs(&self) -> Vec<[usize; 2]>;
+
+    /// Fills in the forces at present places; returns its energy \[F L\].
+    fn evaluate(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64;
+
+    /// Second derivatives of its energy at the places last evaluated, a block for each of [`Interaction::pairs`] \[F/L\].
+    fn stiffness(&self, blocks: &mut [[[f64; 3]; 3]]);
+}

@@ -1,0 +1,271 @@
+//! Several systems as one whose equilibria are sought.
+
+use std::cell::OnceCell;
+use std::ops::Range;
+
+use super::acting::Acting;
+use super::interaction::{Interaction, Joinable};
+use crate::bounds::OutOfBounds;
+use crate::equilibrium::Equilibrium;
+
+/// Part of the greatest utilisation from which on others break with it: equal systems are as far but for rounding.
+const ALIKE: f64 = 1e-9;
+
+/// Systems that are solved together, and what they do to each other.
+pub struct Several<S: ?Sized> {
+    systems: Vec<Box<S>>,
+    /// First unknown of each, and the end.
+    first: Vec<usize>,
+    /// First entry of each in the pattern, and the end; found when a tangent is first asked for.
+    entries: OnceCell<Vec<usize>>,
+    /// First number of each in a saved state, and the end.
+    saved: Vec<usize>,
+    acting: Option<Acting>,
+}
+
+impl<S: Joinable + ?Sized> Several<S> {
+    /// Systems, with what they do to each other if they do anything.
+    pub fn new(systems: Vec<Box<S>>, interaction: Option<Box<dyn Interaction>>) -> Self {
+        let ends = |of: &dyn Fn(&S) -> usize| -> Vec<usize> {
+            let mut end = 0;
+            let next = systems.iter().map(|system| {
+                end += of(system);
+                end
+            });
+            std::iter::once(0).chain(next).collect()
+        };
+        let first = ends(&|system| system.unknowns());
+        let saved = ends(&|system| system.save().len());
+        let mut several = Self { systems, first, entries: OnceCell::new(), saved, acting: None };
+        let pattern = interaction.as_ref().map(|_| several.pattern()).unwrap_or_default();
+        several.acting = interaction
+            .map(|interaction| Acting::new(interaction, &several.systems, &several.first, &pattern));
+        several
+    }
+
+    /// Lets them act on each other in the present state; the energy of that \[F L\].
+    pub fn act(&mut self) -> f64 {
+        self.acting.as_mut().map_or(0.0, |acting| acting.act(&mut self.systems))
+    }
+
+    /// Whether they act on each other.
+    pub fn is_joined(&self) -> bool {
+        self.acting.is_some()
+    }
+
+    fn entries(&self) -> &Vec<usize> {
+        self.entries.get_or_init(|| {
+            let mut end = 0;
+            let next = self.systems.iter().map(|system| {
+                end += system.pattern().len();
+                end
+            });
+            std::iter::once(0).chain(next).collect()
+        })
+    }
+
+    /// A number of each system for every unknown, one behind the other.
+    fn gather(&self, of: impl Fn(&S) -> Vec<f64>) -> Vec<f64> {
+        self.systems.iter().flat_map(|system| of(system)).collect()
+    }
+
+    fn any(&self, of: impl Fn(&S) -> bool) -> bool {
+        self.systems.iter().any(|system| of(system))
+    }
+}
+
+impl<S: ?Sized> Several<S> {
+    /// The systems in their order.
+    pub fn systems(&self) -> &[Box<S>] {
+        &self.systems
+    }
+
+    /// The same, to put them into other states.
+    pub fn systems_mut(&mut self) -> &mut [Box<S>] {
+        &mut self.systems
+    }
+
+    /// Unknowns of a system.
+    pub fn unknowns_of(&self, system: usize) -> Range<usize> {
+        self.first[system]..self.first[system + 1]
+    }
+
+    /// Each system with its part of a list.
+    fn parts<'a>(
+        &'a mut self,
+        ends: fn(&Self) -> &Vec<usize>,
+    ) -> impl Iterator<Item = (&'a mut Box<S>, Range<usize>)> {
+        let ends = ends(self).clone();
+        self.systems
+            .iter_mut()
+            .enumerate()
+            .map(move |(number, system)| (system, ends[number]..ends[number + 1]))
+    }
+}
+
+impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
+    fn unknowns(&self) -> usize {
+        self.first.last().copied().unwrap_or(0)
+    }
+
+    fn pattern(&self) -> Vec<(usize, usize)> {
+        let mut all = Vec::new();
+        for (system, first) in self.systems.iter().zip(&self.first) {
+            all.extend(system.pattern().into_iter().map(|(row, column)| (first + row, first + column)));
+        }
+        all.extend(self.acting.iter().flat_map(|acting| acting.own.iter().copied()));
+        all
+    }
+
+    fn coordinates(&self) -> Option<Vec<[f64; 3]>> {
+        let all = self.systems.iter().map(|system| system.coordinates()).collect::<Option<Vec<_>>>()?;
+        Some(all.concat())
+    }
+
+    fn rigid_motions(&self) -> Option<Vec<[f64; 6]>> {
+        let all = self.systems.iter().map(|system| system.rigid_motions()).collect::<Option<Vec<_>>>()?;
+        Some(all.concat())
+    }
+
+    fn internal(&mut self, level: f64, out: &mut [f64]) {
+        self.parts(|own| &own.first).for_each(|(system, range)| system.internal(level, &mut out[range]));
+    }
+
+    fn external(&mut self, level: f64, out: &mut [f64]) {
+        self.act();
+        self.parts(|own| &own.first).for_each(|(system, range)| system.external(level, &mut out[range]));
+    }
+
+    fn load_rate(&mut self, level: f64, out: &mut [f64]) {
+        self.act();
+        self.parts(|own| &own.first).for_each(|(system, range)| system.load_rate(level, &mut out[range]));
+    }
+
+    fn tangent(&mut self, level: f64, values: &mut [f64]) {
+        self.act();
+        self.parts(Self::entries).for_each(|(system, range)| system.tangent(level, &mut values[range]));
+        self.add_stiffness(values);
+    }
+
+    fn keeps_factor(&self) -> bool {
+        self.any(Equilibrium::keeps_factor)
+    }
+
+    fn tangent_is_of_the_step(&self) -> bool {
+        self.any(Equilibrium::tangent_is_of_the_step)
+    }
+
+    fn has_moving_supports(&self) -> bool {
+        self.any(Equilibrium::has_moving_supports)
+    }
+
+    fn commit(&mut self) {
+        self.systems.iter_mut().for_each(|system| system.commit());
+    }
+
+    fn utilisation(&mut self) -> f64 {
+        self.systems.iter_mut().map(|system| system.utilisation()).fold(0.0, f64::max)
+    }
+
+    fn break_critical(&mut self) -> f64 {
+        let each: Vec<f64> = self.systems.iter_mut().map(|system| system.utilisation()).collect();
+        let most = each.iter().copied().fold(0.0, f64::max);
+        let critical = self.systems.iter_mut().zip(each).filter(|(_, own)| *own >= most * (1.0 - ALIKE));
+        critical.map(|(system, _)| system.break_critical()).sum()
+    }
+
+    fn row_sums(&mut self, level: f64, out: &mut [f64]) {
+        self.act();
+        self.parts(|own| &own.first).for_each(|(system, range)| system.row_sums(level, &mut out[range]));
+        if let Some(acting) = &self.acting {
+            acting.add_row_sums(&self.systems, &self.first, out);
+        }
+    }
+
+    fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
+        self.act();
+        let first = self.first.clone();
+        let offered = self.parts(Self::entries).enumerate().all(|(number, (system, range))| {
+            let motion = &motion[first[number]..first[number + 1]];
+            system.stressed_tangent(level, motion, &mut values[range])
+        });
+        if offered {
+            self.add_stiffness(values);
+        }
+        offered
+    }
+
+    /// What they do to each other is that of the state at the end of the motion, and fixed in space.
+    fn turned_tangent(&mut self, levels: [f64; 2], motion: &[f64], values: &mut [f64]) {
+        let rest = self.save();
+        self.update(motion);
+        self.act();
+        self.restore(&rest);
+        let first = self.first.clone();
+        for (number, (system, range)) in self.parts(Self::entries).enumerate() {
+            let motion = &motion[first[number]..first[number + 1]];
+            system.turned_tangent(levels, motion, &mut values[range]);
+        }
+        self.add_stiffness(values);
+    }
+
+    fn driving_force(&self) -> f64 {
+        self.systems.iter().map(|system| system.driving_force().powi(2)).sum::<f64>().sqrt()
+    }
+
+    fn update(&mut self, increment: &[f64]) {
+        self.parts(|own| &own.first).for_each(|(system, range)| system.update(&increment[range]));
+    }
+
+    fn transport(&mut self, motion: &mut [f64]) {
+        self.parts(|own| &own.first).for_each(|(system, range)| system.transport(&mut motion[range]));
+    }
+
+    fn motion_to(&self, saved: &[f64], out: &mut [f64]) -> bool {
+        self.systems.iter().enumerate().all(|(number, system)| {
+            let saved = &saved[self.saved[number]..self.saved[number + 1]];
+            system.motion_to(saved, &mut out[self.first[number]..self.first[number + 1]])
+        })
+    }
+
+    fn save(&self) -> Vec<f64> {
+        self.gather(|system| system.save())
+    }
+
+    fn restore(&mut self, saved: &[f64]) {
+        self.parts(|own| &own.saved).for_each(|(system, range)| system.restore(&saved[range]));
+    }
+
+    /// What they do to each other is work of external forces.
+    fn energy(&mut self) -> f64 {
+        self.systems.iter_mut().map(|system| system.energy()).sum()
+    }
+
+    fn masses(&self) -> Vec<f64> {
+        self.gather(|system| system.masses())
+    }
+
+    fn vibrating_masses(&self) -> Vec<f64> {
+        self.gather(|system| system.vibrating_masses())
+    }
+
+    fn name_unknown(&self, unknown: usize) -> String {
+        let system = self.first.partition_point(|&first| first <= unknown) - 1;
+        let name = self.systems[system].name_unknown(unknown - self.first[system]);
+        format!("system {system}: {name}")
+    }
+
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        self.systems.iter().try_for_each(|system| system.within_bounds())
+    }
+}
+
+impl<S: Joinable + ?Sized> Several<S> {
+    /// Adds the stiffness of what they do to each other, whose entries follow those of the systems.
+    fn add_stiffness(&self, values: &mut [f64]) {
+        if let Some(acting) = &self.acting {
+            values[self.entries()[self.systems.len()]..].fill(0.0);
+            acting.add_stiffness(&self.systems, &self.first, values);
+        }
+    }
+}
