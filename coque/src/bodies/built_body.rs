@@ -60,6 +60,7 @@ impl BuiltBody<Ready> {
             judge,
             sets,
             barred,
+            increments: Vec::new(),
         }
     }
 }
