@@ -20,6 +20,7 @@ mod report;
 mod sections;
 mod sides;
 mod undivided;
+mod written;
 
 use std::{collections::BTreeMap, fmt};
 
@@ -38,6 +39,7 @@ pub use formats::{Format, parse, read, read_to_be_tied};
 pub use junctions::Junctions;
 pub use outward::side;
 pub use quality::{Quality, quality};
+pub use refine::Finer;
 pub use report::report;
 pub use sections::{FileMaterial, FileSection};
 

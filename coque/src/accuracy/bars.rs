@@ -9,14 +9,22 @@
 //! on the spacing h₀ of the run itself, with p from one half to two. Where differences fall faster than with the fourth order, the nearer lattice agrees with
 //! the run by chance, and the difference of the other two counts. On lattices in steps of √2 that is F |a₀ − a₁|/(2^{p/2} − 1). With one other lattice
 //! the second order is taken, and F is 3 \[roache1994\].
+//!
+//! With an answer a_f on half the spacing the error of the run has a sign and three quarters of it are seen, not extrapolated:
+//!
+//! ```text
+//! e = (a₀ − a_f)/(1 − (h_f/h₀)ᵖ),    a₀ − e the number without it,    bar 1.25 |e|
+//! ```
 
-use super::convergence::order;
+use super::convergence::{order, order_within};
 use crate::results::error_bars::{ErrorBar, Verdict};
 
 /// Factor on the error where three lattices show an order, and where two do not.
 const SAFETY: [f64; 2] = [2.0, 3.0];
 /// Order beyond which two lattices agree by chance: twice that of the methods.
 const CHANCE: f64 = 4.0;
+/// Factor on an error of which most is seen on a finer lattice, and orders that are believed there.
+const SHARP: (f64, [f64; 2]) = (1.25, [0.5, CHANCE]);
 /// Differences below this share of the greatest value of a column are round-off: answers of Newton's method and of factors agree so far.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -32,7 +40,7 @@ pub struct OnLattice {
 /// The bar of an answer from those on one or two other lattices; `scale` is the greatest value of its column.
 pub fn bar(own: OnLattice, others: &[OnLattice], scale: f64) -> ErrorBar {
     let value = own.value;
-    let with = |bar, order, verdict| ErrorBar { value, bar, order, verdict };
+    let with = |bar, order, verdict| ErrorBar { value, bar, order, verdict, corrected: None };
     let mut all: Vec<OnLattice> = others.iter().copied().chain([own]).collect();
     if others.is_empty() || all.iter().any(|answer| !answer.value.is_finite()) {
         return with(None, None, Verdict::Unpaired);
@@ -64,6 +72,24 @@ pub fn bar(own: OnLattice, others: &[OnLattice], scale: f64) -> ErrorBar {
     let pairs = pairs.filter(|&(a, b)| chance || a == own || b == own);
     let error = pairs.map(|(a, b)| share(a, b, own, order)).fold(0.0, f64::max);
     with(Some(SAFETY[0] * error), Some(order), Verdict::Converging)
+}
+
+/// The sharper bar of an answer and the number without its error, from a coarser lattice and a finer one; none where the three show no order.
+pub fn sharpened(own: OnLattice, coarser: OnLattice, finer: OnLattice) -> Option<ErrorBar> {
+    let differences = [coarser.value - own.value, own.value - finer.value];
+    if !(differences[0] * differences[1] > 0.0) {
+        return None;
+    }
+    let spacings = [coarser, own, finer].map(|answer| answer.spacing);
+    let order = order_within(SHARP.1, spacings, differences.map(f64::abs))?;
+    let error = differences[1] / (1.0 - libm::pow(finer.spacing / own.spacing, order));
+    Some(ErrorBar {
+        value: own.value,
+        bar: Some(SHARP.0 * error.abs()),
+        order: Some(order),
+        verdict: Verdict::Sharpened,
+        corrected: Some(own.value - error),
+    })
 }
 
 /// The error of `own` if the difference of two answers is one of C hᵖ.
@@ -143,6 +169,18 @@ mod tests {
         assert_eq!(found.verdict, Verdict::Exact);
         assert!((found.bar.unwrap() - 8e-10).abs() < 1e-15);
         assert_eq!(of(SPACINGS, [1.0, f64::NAN, 1.0]).verdict, Verdict::Unpaired);
+    }
+
+    #[test]
+    fn a_finer_lattice_gives_the_error_its_sign() {
+        for p in [0.6, 1.0, 2.0, 3.0] {
+            let on = |spacing: f64| OnLattice { spacing, value: 3.0 - 0.01 * libm::pow(spacing, p) };
+            let found = sharpened(on(1.0), on(2.0), on(0.5)).unwrap();
+            assert!((found.corrected.unwrap() - 3.0).abs() < 1e-12, "{found:?}");
+            assert!((found.bar.unwrap() - 0.0125).abs() < 1e-12 && (found.order.unwrap() - p).abs() < 1e-9);
+        }
+        let on = |spacing, value| OnLattice { spacing, value };
+        assert_eq!(sharpened(on(1.0, 1.0), on(2.0, 1.1), on(0.5, 1.01)), None);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::kept::{KeptSet, greatest_common_divisor, kept, least_common_multiple}
 use super::meshes;
 use super::refined::{Change, Refined, cells, refine, step};
 use crate::scene::error::SceneError;
-use crate::scene::{Checked, Fields, Output, Scene};
+use crate::scene::{Analysis, Checked, Fields, Output, Scene};
 
 /// The lattices beside a scene's own.
 pub struct Companions {
@@ -54,20 +54,46 @@ impl Checked {
     }
 }
 
+/// The lattice of about half the spacing, by which numbers are sharpened.
+///
+/// # Errors
+/// In words: analyses whose numbers are not sharpened, a scene that has no such lattice.
+pub(super) fn finest(scene: &Checked, threads: usize) -> Result<Refined, String> {
+    let timeless = matches!(
+        scene.analysis,
+        Analysis::Linear(_) | Analysis::Static(_) | Analysis::Modal(_) | Analysis::Buckling(_)
+    );
+    if !timeless {
+        return Err("that is done of linear answers, of levels without time and of modes".into());
+    }
+    let refused = |error: SceneError| format!("the scene is refused: {error}");
+    let (rest, own) = placed(scene, threads).map_err(refused)?;
+    let sets = kept(scene, &rest, &own);
+    let all: Vec<&KeptSet> = sets.iter().collect();
+    let alone = alone(scene);
+    let found = nearest(&alone, 0.5, &all, true).or_else(|| nearest(&alone, 0.5, &all, false));
+    found.ok_or_else(|| "the scene has no lattice of half the spacing".into())
+}
+
+/// Places at rest and the sets of the one body.
+fn placed(scene: &Checked, threads: usize) -> Result<(Vec<Vec3>, BTreeMap<String, Vec<u32>>), SceneError> {
+    // Sets are kept where fields are asked for.
+    let fields = Fields { every: 1, extruded: false, points: false, stresses: false };
+    let shown = Scene { output: Output { fields: Some(fields), ..Output::default() }, ..alone(scene) };
+    let model = shown.check()?.build(threads)?;
+    let rest = model.body.body().configuration().rest.to_vec();
+    Ok((rest, model.sets.into_values().next().unwrap_or_default()))
+}
+
 fn companions(scene: &Checked, threads: usize) -> Result<Companions, String> {
     let refused = |error: SceneError| format!("the scene is refused: {error}");
     let alone = alone(scene);
-    // Sets are kept where fields are asked for.
-    let fields = Fields { every: 1, extruded: false, points: false, stresses: false };
-    let shown = Scene { output: Output { fields: Some(fields), ..Output::default() }, ..alone.clone() };
-    let model = shown.check().and_then(|scene| scene.build(threads)).map_err(refused)?;
-    let rest = model.body.body().configuration().rest.to_vec();
+    let (rest, own) = placed(scene, threads).map_err(refused)?;
     if scene.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some()) && scene.bodies.len() == 1 {
         let lattices = meshes::finer(scene, &alone)?;
         let lacks = vec!["curvature of the mesh (refined flat, face by face)".to_string()];
         return Ok(Companions { lattices, moved: Vec::new(), lacks, rest });
     }
-    let own: BTreeMap<String, Vec<u32>> = model.sets.into_values().next().unwrap_or_default();
     let sets = if scene.bodies.len() == 1 { kept(scene, &rest, &own) } else { Vec::new() };
     let (read, acting): (Vec<&KeptSet>, Vec<&KeptSet>) = sets.iter().partition(|set| set.read_only);
     let all: Vec<&KeptSet> = sets.iter().collect();

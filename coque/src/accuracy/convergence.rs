@@ -43,9 +43,18 @@ impl Convergence {
 }
 
 /// The order with which two differences in a row fall, of answers on spacings h₁ > h₂ > h₃: two at most, none below one half.
-pub(super) fn order([h1, h2, h3]: [f64; 3], [first, second]: [f64; 2]) -> Option<f64> {
+pub(super) fn order(spacings: [f64; 3], differences: [f64; 2]) -> Option<f64> {
+    order_within(ORDERS, spacings, differences)
+}
+
+/// The same between other bounds, the greatest where it is beyond.
+pub(super) fn order_within(
+    bounds: [f64; 2],
+    [h1, h2, h3]: [f64; 3],
+    [first, second]: [f64; 2],
+) -> Option<f64> {
     let ratio = |p: f64| (libm::pow(h1, p) - libm::pow(h2, p)) / (libm::pow(h2, p) - libm::pow(h3, p));
-    let [mut low, mut high] = ORDERS;
+    let [mut low, mut high] = bounds;
     if first < ratio(low) * second {
         return None;
     }

@@ -1,18 +1,17 @@
 //! The error of every number of a run: the scene on other lattices, row by row beside it.
 
 use std::ops::ControlFlow;
-use std::time::Instant;
 
-use sph_core::{Cell, Vec3};
-
-use super::bars::{OnLattice, bar};
-use super::pairing::{Key, Shapes, by_column, by_shape, key};
-use super::refined::Refined;
+use super::bars::{OnLattice, bar, sharpened};
+use super::companions::finest;
+use super::found::{Found, Starts, run};
+use super::nested::Nested;
+use super::pairing::{Key, by_column, by_shape, key};
 use super::said::{holds, lacks};
 use crate::results::curve::{Column, Curve};
 use crate::results::error_bars::{ColumnErrors, CriticalError, ErrorBar, Errors, LatticeRun, Verdict};
 use crate::run::outcome::{Ended, Outcome};
-use crate::run::progress::{Progress, ProgressReport};
+use crate::run::progress::Progress;
 use crate::scene::{Analysis, Checked};
 
 /// Columns that count or place a row and have no error.
@@ -22,36 +21,6 @@ const PLACES: [&str; 7] =
 const VANISHING: f64 = 1e-6;
 /// Critical points that are located, and so have an error.
 const LOCATED: [&str; 2] = ["limit point", "bifurcation"];
-
-/// A run on a lattice.
-struct Found {
-    spacing: f64,
-    curve: Curve,
-    critical: Vec<(String, f64)>,
-    rest: Vec<Vec3>,
-    cells: Vec<Cell>,
-    /// Places in each shape.
-    shapes: Vec<Vec<Vec3>>,
-}
-
-impl Found {
-    fn of(spacing: f64, rest: Vec<Vec3>, outcome: &Outcome) -> Self {
-        let critical = outcome.summary.record.critical.iter();
-        Self {
-            spacing,
-            curve: outcome.curve.clone(),
-            critical: critical.map(|point| (point.kind.clone(), point.level)).collect(),
-            rest,
-            cells: outcome.cells.clone(),
-            shapes: outcome.shapes.iter().map(|shape| shape.positions.clone()).collect(),
-        }
-    }
-
-    fn shapes(&self) -> Shapes<'_> {
-        let modes = self.shapes.iter().take(self.curve.rows.len()).map(Vec::as_slice).collect();
-        Shapes { rest: &self.rest, cells: &self.cells, modes }
-    }
-}
 
 impl Checked {
     /// The errors of what a run of the scene found, by runs on other lattices, one after the other; `progress` may end them, and those that ended
@@ -73,10 +42,23 @@ impl Checked {
         let mut errors = Errors { lattices: vec![own_words], holds: holds(self), ..Errors::default() };
         errors.lacks = found.lacks.into_iter().chain(lacks(self)).collect();
         let own = Found::of(1.0, found.rest, outcome);
-        let mut others = Vec::new();
-        for (number, companion) in found.lattices.iter().enumerate() {
-            progress.companion(number + 1, found.lattices.len(), &companion.lattice);
-            match run(companion, threads, progress, &mut errors) {
+        let nested = Nested::of(self, outcome);
+        let wanted = self.error.filter(|wanted| wanted.sharpen);
+        let finer = wanted.and_then(|_| match finest(self, threads) {
+            Ok(finer) => Some(finer),
+            Err(why) => {
+                errors.without.push(format!("not sharpened: {why}"));
+                None
+            }
+        });
+        let lattices = found.lattices.iter().map(|companion| (companion, false));
+        let lattices: Vec<_> = lattices.chain(finer.iter().map(|finer| (finer, true))).collect();
+        let (mut others, mut sharp) = (Vec::new(), None);
+        for (number, (companion, last)) in lattices.iter().enumerate() {
+            progress.companion(number + 1, lattices.len(), &companion.lattice);
+            let starts = Starts { nested: nested.as_ref(), own: &own.curve, last: *last };
+            match run(companion, starts, threads, progress, &mut errors) {
+                ControlFlow::Continue(found) if *last => sharp = found,
                 ControlFlow::Continue(found) => others.extend(found),
                 ControlFlow::Break(()) => {
                     errors.without.push("a run on another lattice was interrupted".into());
@@ -88,44 +70,19 @@ impl Checked {
             errors.without.push("no run on another lattice came to answers".into());
             return errors;
         }
-        fill(&mut errors, self, &own, &others, &found.moved);
+        fill(&mut errors, self, &own, (&others, sharp.as_ref()), &found.moved);
         errors
     }
 }
 
-/// Runs a companion; none where it is refused or finds nothing, which is said; `Break` where it was ended from outside.
-fn run(
-    companion: &Refined,
-    threads: usize,
-    progress: &mut dyn Progress,
-    errors: &mut Errors,
-) -> ControlFlow<(), Option<Found>> {
-    let Refined { scene, spacing, lattice } = companion;
-    let begun = Instant::now();
-    let model = match scene.build(threads) {
-        Ok(model) => model,
-        Err(error) => {
-            errors.without.push(format!("the scene is refused on {lattice}: {error}"));
-            return ControlFlow::Continue(None);
-        }
-    };
-    let rest = model.body.body().configuration().rest.to_vec();
-    let outcome = model.run(&mut Quiet(progress));
-    let (seconds, ended) = (begun.elapsed().as_secs_f64(), outcome.ended.to_string());
-    errors.lattices.push(LatticeRun { lattice: lattice.clone(), spacing: *spacing, seconds, ended });
-    if let Ended::Interrupted { .. } = outcome.ended {
-        return ControlFlow::Break(());
-    }
-    if outcome.ended != Ended::Done {
-        let rows = "; rows beyond have a bar of fewer lattices, or none";
-        errors.without.push(format!("the run on {lattice} ended early: {}{rows}", outcome.ended));
-    }
-    let found = (!outcome.curve.rows.is_empty()).then(|| Found::of(*spacing, rest, &outcome));
-    ControlFlow::Continue(found)
-}
-
 /// Pairs the rows and gives each number its bar.
-fn fill(errors: &mut Errors, scene: &Checked, own: &Found, others: &[Found], moved: &[String]) {
+fn fill(
+    errors: &mut Errors,
+    scene: &Checked,
+    own: &Found,
+    (others, finer): (&[Found], Option<&Found>),
+    moved: &[String],
+) {
     let curves: Vec<&Curve> =
         [&own.curve].into_iter().chain(others.iter().map(|other| &other.curve)).collect();
     errors.critical = critical(own, others);
@@ -137,6 +94,7 @@ fn fill(errors: &mut Errors, scene: &Checked, own: &Found, others: &[Found], mov
         }
     };
     let paired: Vec<Vec<Option<Vec<f64>>>> = others.iter().map(|other| rows(own, other, &key)).collect();
+    let sharp = finer.map(|finer| rows_of_finer(scene, own, finer, &key)).unwrap_or_default();
     let placed = matches!(scene.analysis, Analysis::Buckling(_));
     for (at, column) in own.curve.columns.iter().enumerate() {
         let name = column.name.as_str();
@@ -159,11 +117,32 @@ fn fill(errors: &mut Errors, scene: &Checked, own: &Found, others: &[Found], mov
                 })
                 .collect();
             let value = own.curve.rows[row][at];
-            let found = bar(OnLattice { spacing: own.spacing, value }, &answers, greatest);
-            if vanishes { zero(found, &answers) } else { found }
+            let answer = OnLattice { spacing: own.spacing, value };
+            let found = bar(answer, &answers, greatest);
+            if vanishes {
+                return zero(found, &answers);
+            }
+            let finer = finer.zip(sharp.get(row).and_then(Option::as_ref));
+            let finer = finer.map(|(finer, row)| OnLattice { spacing: finer.spacing, value: row[at] });
+            let coarser = answers.iter().copied().filter(|other| other.spacing > own.spacing);
+            let coarsest = coarser.max_by(|a, b| a.spacing.total_cmp(&b.spacing));
+            let sharper = coarsest.zip(finer).and_then(|(coarse, fine)| sharpened(answer, coarse, fine));
+            sharper.filter(|_| found.verdict != Verdict::Exact).unwrap_or(found)
         });
         errors.columns.push(ColumnErrors { column: column.clone(), bars: bars.collect() });
     }
+}
+
+/// The rows of a finer lattice that answer those of the run; of levels the last alone.
+fn rows_of_finer(scene: &Checked, own: &Found, finer: &Found, key: &Key) -> Vec<Option<Vec<f64>>> {
+    if !matches!(scene.analysis, Analysis::Static(_)) {
+        return rows(own, finer, key);
+    }
+    let mut found = vec![None; own.curve.rows.len()];
+    if let Some(last) = found.last_mut() {
+        *last = finer.curve.rows.last().cloned();
+    }
+    found
 }
 
 /// The bar of a number that is zero by symmetry: what is there is round-off.
@@ -225,13 +204,4 @@ fn critical(own: &Found, others: &[Found]) -> Vec<CriticalError> {
         found.push(CriticalError { kind: kind.clone(), bar });
     }
     found
-}
-
-/// A run on another lattice, of which its rows are nobody's.
-struct Quiet<'a>(&'a mut dyn Progress);
-
-impl Progress for Quiet<'_> {
-    fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {
-        self.0.update(news)
-    }
 }

@@ -8,17 +8,20 @@
 //!
 //! The error of every number of a run is found the same way, from two lattices beside its own (`errors.rs`): coarser ones where every set that
 //! the scene names stays on particles (`kept.rs`, `companions.rs`), rows paired by level, time, path or shape (`pairing.rs`), each number with
-//! its bar (`bars.rs`).
+//! its bar (`bars.rs`). Without time the levels of other lattices begin at those of the run (`nested.rs`, `between.rs`).
 
 mod answers;
 mod bars;
+mod between;
 mod companions;
 mod convergence;
 mod errors;
+mod found;
 mod kept;
 mod ladder;
 mod meshes;
 mod methods;
+mod nested;
 mod pairing;
 mod refined;
 mod said;

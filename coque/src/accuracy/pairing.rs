@@ -69,13 +69,13 @@ pub(super) fn by_column(own: &Curve, other: &Curve, key: usize) -> Vec<Option<Ve
         if let Some(at) = there.iter().position(|&other| same(other, x)) {
             return other.rows.get(at).cloned();
         }
-        if monotone { between(&there, &other.rows, x) } else { None }
+        if monotone { between_rows(&there, &other.rows, x) } else { None }
     };
     wanted.iter().enumerate().map(pair).collect()
 }
 
 /// Rows at `x` by the polynomial through the four nearest of a monotone list; none beyond its ends.
-fn between(places: &[f64], rows: &[Vec<f64>], x: f64) -> Option<Vec<f64>> {
+pub(super) fn between_rows(places: &[f64], rows: &[Vec<f64>], x: f64) -> Option<Vec<f64>> {
     let rises = places.last()? > places.first()?;
     let after = places.iter().position(|&place| if rises { place > x } else { place < x })?;
     if after == 0 {

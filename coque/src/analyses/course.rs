@@ -8,6 +8,7 @@ use super::march::Marching;
 use super::one_solve::OneSolveLevels;
 use super::path::{Levels, arc_length};
 use super::relaxation::RelaxedLevels;
+use super::started::StartedLevels;
 use super::{linear, modes};
 use crate::bodies::{Ready, TangentCost};
 use crate::run::Run;
@@ -21,6 +22,7 @@ pub(super) enum Course {
     March(Box<Marching>),
     /// A level at once.
     Levels(Box<Levels>),
+    StartedLevels(Box<StartedLevels>),
     OneSolve(Box<OneSolveLevels>),
     Relaxation(Box<RelaxedLevels>),
     /// All at once.
@@ -31,12 +33,21 @@ pub(super) enum Course {
 }
 
 impl Course {
-    /// From the start, or from where an earlier run stood; of a body whose tangent costs so much, and that has so many particles.
-    pub fn new(analysis: &Analysis, body: (TangentCost, usize), from: Option<Stage>) -> Self {
+    /// From the start, or from where an earlier run stood; of a body whose tangent costs so much, and that has so many particles. Levels may be
+    /// given increments of the state, from which they start.
+    pub fn new(
+        analysis: &Analysis,
+        body: (TangentCost, usize),
+        from: Option<Stage>,
+        increments: Vec<Vec<f64>>,
+    ) -> Self {
         match analysis {
             Analysis::Explicit(wanted) => Self::March(Box::new(Marching::new(wanted, body, from))),
             Analysis::Static(wanted) if wanted.one_solve => {
                 Self::OneSolve(Box::new(OneSolveLevels::new(wanted, from)))
+            }
+            Analysis::Static(wanted) if !increments.is_empty() => {
+                Self::StartedLevels(Box::new(StartedLevels::new(wanted, increments)))
             }
             Analysis::Static(wanted) => Self::Levels(Box::new(Levels::new(wanted, from))),
             Analysis::Relaxation(wanted) => Self::Relaxation(Box::new(RelaxedLevels::new(wanted, from))),
@@ -57,6 +68,7 @@ impl Course {
         match (self, body) {
             (Self::March(march), Ready::Dynamic(body)) => march.advance(body.as_mut(), run),
             (Self::Levels(levels), Ready::Static(body)) => levels.advance(body.as_mut(), run),
+            (Self::StartedLevels(levels), Ready::Static(body)) => levels.advance(body.as_mut(), run),
             (Self::OneSolve(levels), Ready::Static(body)) => levels.advance(body.as_mut(), run),
             (Self::Relaxation(levels), Ready::Static(body)) => levels.advance(body.as_mut(), run),
             (Self::Linear(wanted), Ready::Static(body)) => {
@@ -90,6 +102,7 @@ impl Course {
         let level = match self {
             Self::March(march) => return march.stands_at(),
             Self::Levels(levels) => levels.last(),
+            Self::StartedLevels(levels) => levels.last(),
             Self::OneSolve(levels) => levels.last(),
             Self::Relaxation(levels) => levels.last(),
             Self::Linear(_) | Self::ArcLength(_) | Self::Modal(_) | Self::Buckling(_) => 0.0,

@@ -14,6 +14,7 @@ mod preload;
 mod relaxation;
 mod simulation;
 mod stability;
+mod started;
 
 pub use estimate::Estimate;
 pub use simulation::{Event, Simulation};
@@ -71,6 +72,7 @@ impl Model {
             curve: Curve { columns: self.columns(), rows: Vec::new() },
             shapes: Vec::new(),
             latest: None,
+            states: self.keeps_states().then(Vec::new),
             record: RunRecord::default(),
             probes: std::mem::take(&mut self.probes),
             driven: self.driven,
@@ -80,6 +82,12 @@ impl Model {
             progress,
             checkpoints,
         }
+    }
+
+    /// Whether the states at its levels serve other lattices, on which the errors of its numbers are found.
+    fn keeps_states(&self) -> bool {
+        let balanced = matches!(&self.task.analysis, Analysis::Static(wanted) if !wanted.one_solve);
+        balanced && self.barred.is_some() && self.driven.is_none()
     }
 
     /// What the model holds and what it leaves out, by its body and by its analysis.

@@ -118,7 +118,12 @@ impl<'a> Simulation<'a> {
         let from = from.filter(|stage| !matches!(stage, Stage::Preload));
         Self {
             preloads: from.is_none(),
-            course: Course::new(&model.task.analysis, (model.description.tangent, particles), from),
+            course: Course::new(
+                &model.task.analysis,
+                (model.description.tangent, particles),
+                from,
+                std::mem::take(&mut model.increments),
+            ),
             run,
             ended: None,
             pool: pool.and_then(Result::ok),
@@ -244,7 +249,7 @@ impl<'a> Simulation<'a> {
     fn outcome(self) -> Outcome {
         let Self { model, run, ended, started, .. } = self;
         let ended = ended.unwrap_or_default();
-        let Run { curve, mut shapes, latest, mut record, supports, frames, .. } = run;
+        let Run { curve, mut shapes, latest, states, mut record, supports, frames, .. } = run;
         if let Ready::Static(body) = &model.body {
             record.warnings.extend(body.warnings());
         }
@@ -264,6 +269,7 @@ impl<'a> Simulation<'a> {
         }
         record.wall_seconds += started.elapsed().as_secs_f64();
         let summary = model.summary(record, supports, &ended);
-        Outcome { curve, summary, ended, shapes, cells }
+        let states = states.unwrap_or_default();
+        Outcome { curve, summary, ended, shapes, states, cells }
     }
 }

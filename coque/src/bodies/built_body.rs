@@ -59,6 +59,7 @@ impl BuiltBody<Ready> {
             judge,
             sets,
             barred,
+            increments: Vec::new(),
         }
     }
 }

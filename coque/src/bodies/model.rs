@@ -58,6 +58,9 @@ pub struct Model {
     pub(crate) judge: Option<ShapeJudge>,
     /// Its scene, where the errors of its numbers are asked for.
     pub(crate) barred: Option<Box<Checked>>,
+    /// Changes of the state from one level to the next, from which the levels of a static analysis start; none where each starts at the one
+    /// before.
+    pub(crate) increments: Vec<Vec<f64>>,
 }
 
 /// Why no function can exert forces on a body.
@@ -103,6 +106,7 @@ impl Model {
             warnings: Vec::new(),
             judge: None,
             barred: None,
+            increments: Vec::new(),
             sets: BTreeMap::new(),
         }
     }

@@ -51,13 +51,16 @@ fn line(found: &ErrorBar, unit: &str, errors: &Errors) -> String {
     };
     let (value, bar) = pair(found.value, bar);
     let how = match (found.verdict, found.order) {
-        (Verdict::Converging, Some(order)) => {
+        (Verdict::Converging | Verdict::Sharpened, Some(order)) => {
             let count = if errors.lattices.len() == 3 { "three" } else { "several" };
             format!("order {order:.1}, {count} lattices, {words}")
         }
         _ => words.into(),
     };
-    format!("{value} ± {bar}{unit}  ({how})")
+    let corrected = found
+        .corrected
+        .map_or_else(String::new, |corrected| format!("; without its error {}", significant(corrected, 6)));
+    format!("{value} ± {bar}{unit}  ({how}{corrected})")
 }
 
 /// A number and its bar: the bar with two digits, the number as far as its second.

@@ -13,6 +13,8 @@ use super::curve::{Column, Curve};
 pub enum Verdict {
     /// They approach it as a power of the spacing.
     Converging,
+    /// The same, with a finer lattice among them that was run for this number.
+    Sharpened,
     /// There are two lattices only: the second order is taken, with three times the error it gives.
     TwoLattices,
     /// They go back and forth: the bar is their greatest difference.
@@ -30,6 +32,7 @@ impl Verdict {
     pub fn words(self) -> &'static str {
         match self {
             Self::Converging => "converging",
+            Self::Sharpened => "converging, sharpened by a finer lattice",
             Self::TwoLattices => "two lattices, second order taken",
             Self::NotYet => "not converging yet",
             Self::Exact => "exact but for round-off",
@@ -50,6 +53,9 @@ pub struct ErrorBar {
     pub order: Option<f64>,
     /// What the lattices tell.
     pub verdict: Verdict,
+    /// The number without its error, where a finer lattice shows that; in the same unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corrected: Option<f64>,
 }
 
 /// The errors of a column, a row each.
@@ -195,7 +201,8 @@ mod tests {
         let column = |name: &str| Column { name: name.into(), unit: "mm".into() };
         let curve =
             Curve { columns: vec![column("level"), column("w")], rows: vec![vec![0.5, 1.0], vec![1.0, 2.0]] };
-        let bar = |value, bar| ErrorBar { value, bar, order: None, verdict: Verdict::Converging };
+        let bar =
+            |value, bar| ErrorBar { value, bar, order: None, verdict: Verdict::Converging, corrected: None };
         let bars = vec![bar(1.0, Some(0.01)), bar(2.0, None)];
         let errors =
             Errors { columns: vec![ColumnErrors { column: column("w"), bars }], ..Errors::default() };

@@ -25,6 +25,8 @@ pub(crate) struct Run<'a> {
     pub shapes: Vec<Shape>,
     /// The shape at the last record, where none before it is kept.
     pub latest: Option<Shape>,
+    /// States at the start and at every level, if they are kept.
+    pub states: Option<Vec<Vec<f64>>>,
     pub record: RunRecord,
     pub probes: Vec<Probe>,
     /// What the forces among them did since the last record.
@@ -81,7 +83,18 @@ impl Run<'_> {
     /// The forces of the body must be those of its state.
     pub fn keep_shape(&mut self, body: &dyn Body, time: f64, level: f64) -> ControlFlow<()> {
         self.keep_positions(body.configuration().present, time, level);
+        self.keep_state(body);
         self.offer(body, time, level)
+    }
+
+    /// Keeps the present state of a body that has no history, if states are kept and as long as there is room.
+    fn keep_state(&mut self, body: &dyn Body) {
+        let Some(states) = &mut self.states else { return };
+        if let [motion, _] = &body.state()[..]
+            && (states.len() + 1) * motion.numbers.len() <= MOST_POSITIONS
+        {
+            states.push(motion.numbers.to_vec());
+        }
     }
 
     /// Keeps the present shape in the place of the one before, and offers it as a frame.

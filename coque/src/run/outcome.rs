@@ -24,6 +24,8 @@ pub struct Outcome {
     /// Deformed shapes: the start and every settled level of a quasi-static or static run, every point of a path,
     /// a linear answer and every mode scaled to a tenth of the extent, else the last record.
     pub shapes: Vec<Shape>,
+    /// Positions and directors at the start and at every level of a static run whose numbers are to have errors, six numbers a particle.
+    pub(crate) states: Vec<Vec<f64>>,
     /// Cells between the particles, for pictures.
     pub cells: Vec<Cell>,
 }

@@ -39,7 +39,12 @@ pub struct Fields {
 /// in `summary.json`.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct ErrorBars {}
+pub struct ErrorBars {
+    /// Runs a lattice of half the spacing as well, of a linear answer, of modes and of the last level of a static analysis, which begins at that
+    /// of the run: its numbers come with a bar that is hardly larger than their error, and corrected by it.
+    #[serde(default)]
+    pub sharpen: bool,
+}
 
 /// Which column is drawn over which.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -1,4 +1,4 @@
-//! The same surface with each face cut into four, flat: what tells how far an answer depends on the size of its faces.
+//! The same surface with faces cut into four, flat, all of them or some: what tells how far an answer depends on their size.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,53 +6,65 @@ use sph_core::{Cell, Vec3};
 
 use super::{Arrays, Surface};
 
+/// A surface that was refined.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finer {
+    /// The surface.
+    pub arrays: Arrays,
+    /// Of each node that it has more, the nodes whose mean it is.
+    pub parents: Vec<Vec<u32>>,
+}
+
 impl Surface {
     /// The surface with a node in the middle of each edge and of each quadrangle. Nodes of a junction are one again; groups of faces keep their
     /// faces, and groups of nodes take in the middle of an edge both ends of which are theirs, if it lies on the boundary or one of the ends
     /// does not. Normals, sections and materials of the file are not kept.
     pub fn refined(&self) -> Arrays {
-        let mut first: Vec<u32> = (0..self.positions.len() as u32).collect();
-        for group in &self.joined {
-            group.iter().for_each(|&node| first[node as usize] = group[0]);
-        }
-        let corners = |cell: &Cell| -> Vec<u32> {
-            cell.corners[..usize::from(cell.count)].iter().map(|&node| first[node as usize]).collect()
-        };
+        self.refined_at(&vec![true; self.faces.len()]).arrays
+    }
+
+    /// The same of the faces that are marked. A face beside them is divided so that all fit: with one edge divided a quadrangle into two and a
+    /// triangle about its middle, a triangle into two; with two edges into two or three quadrangles, a triangle into one and a triangle;
+    /// with more it is refined as well.
+    pub fn refined_at(&self, marked: &[bool]) -> Finer {
+        let rings = self.rings();
+        let divided = divided(&rings, marked);
         let mut points: Vec<[f64; 3]> = self.positions.iter().map(|&x| x.into()).collect();
+        let mut new = Middles { first: points.len(), parents: Vec::new() };
         let (mut faces, mut middles) = (Vec::new(), BTreeMap::new());
         let mut uses: BTreeMap<[u32; 2], usize> = BTreeMap::new();
-        // The place of a quadrangle's own node, with its corners.
+        // The place of a face's own node, with its corners.
         let mut centres = Vec::new();
-        for cell in &self.faces {
-            let ring = corners(cell);
-            let count = ring.len();
-            let mut middle = Vec::with_capacity(count);
-            for k in 0..count {
-                let (a, b) = (ring[k], ring[(k + 1) % count]);
-                let edge = [a.min(b), a.max(b)];
+        let mut parts = Vec::with_capacity(rings.len());
+        for ring in &rings {
+            let mut middle = Vec::with_capacity(ring.len());
+            for edge in edges(ring) {
                 *uses.entry(edge).or_default() += 1;
-                middle.push(*middles.entry(edge).or_insert_with(|| mean(&mut points, &[a, b])));
+                middle.push(
+                    divided
+                        .contains(&edge)
+                        .then(|| *middles.entry(edge).or_insert_with(|| new.mean(&mut points, &edge))),
+                );
             }
-            match (&ring[..], &middle[..]) {
-                (&[a, b, c], &[ab, bc, ca]) => {
-                    faces.extend([[a, ab, ca, ca], [ab, b, bc, bc], [ca, bc, c, c], [ab, bc, ca, ca]]);
-                }
-                (&[a, b, c, d], &[ab, bc, cd, da]) => {
-                    let m = mean(&mut points, &[a, b, c, d]);
-                    centres.push((m, ring.clone()));
-                    faces.extend([[a, ab, m, da], [ab, b, bc, m], [m, bc, c, cd], [da, m, cd, d]]);
-                }
-                _ => {}
-            }
+            let begin = faces.len() as u32;
+            divide(ring, &middle, &mut faces, &mut || {
+                let node = new.mean(&mut points, ring);
+                centres.push((node, ring.clone()));
+                node
+            });
+            parts.push(begin..faces.len() as u32);
         }
         let boundary: BTreeSet<u32> =
             uses.iter().filter(|(_, count)| **count == 1).flat_map(|(edge, _)| *edge).collect();
         let face_sets: BTreeMap<String, Vec<u32>> = self
             .face_sets
             .iter()
-            .map(|(name, own)| (name.clone(), own.iter().flat_map(|face| 4 * face..4 * face + 4).collect()))
+            .map(|(name, own)| {
+                (name.clone(), own.iter().flat_map(|&face| parts[face as usize].clone()).collect())
+            })
             .collect();
         let of_nodes = self.sets.iter().filter(|(name, _)| !face_sets.contains_key(*name));
+        let first = self.first_of_junctions();
         let sets = of_nodes.map(|(name, own)| {
             let members: BTreeSet<u32> = own.iter().map(|&node| first[node as usize]).collect();
             let holds = |node: &u32| members.contains(node);
@@ -65,15 +77,110 @@ impl Surface {
             all.extend(along.map(|(_, &node)| node).chain(within.map(|&(node, _)| node)));
             (name.clone(), all)
         });
-        Arrays { sets: sets.collect(), points, faces, face_sets }
+        Finer { arrays: Arrays { sets: sets.collect(), points, faces, face_sets }, parents: new.parents }
+    }
+
+    /// Of each node the first of its junction.
+    fn first_of_junctions(&self) -> Vec<u32> {
+        let mut first: Vec<u32> = (0..self.positions.len() as u32).collect();
+        for group in &self.joined {
+            group.iter().for_each(|&node| first[node as usize] = group[0]);
+        }
+        first
+    }
+
+    /// Corners of the faces, nodes of a junction one again.
+    fn rings(&self) -> Vec<Vec<u32>> {
+        let first = self.first_of_junctions();
+        let ring = |cell: &Cell| {
+            cell.corners[..usize::from(cell.count)].iter().map(|&node| first[node as usize]).collect()
+        };
+        self.faces.iter().map(ring).collect()
     }
 }
 
-/// Adds the mean of some nodes; its number.
-fn mean(points: &mut Vec<[f64; 3]>, nodes: &[u32]) -> u32 {
-    let sum: Vec3 = nodes.iter().map(|&node| Vec3::from(points[node as usize])).sum();
-    points.push((sum / nodes.len() as f64).into());
-    points.len() as u32 - 1
+/// The edges round a face, each with its lesser node first.
+fn edges(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
+    (0..ring.len()).map(|k| {
+        let (a, b) = (ring[k], ring[(k + 1) % ring.len()]);
+        [a.min(b), a.max(b)]
+    })
+}
+
+/// Edges that get a node: those of the faces that are marked, and of those beside them that have too many such edges to be divided otherwise.
+fn divided(rings: &[Vec<u32>], marked: &[bool]) -> BTreeSet<[u32; 2]> {
+    let of_marked = rings.iter().zip(marked).filter(|(_, marked)| **marked);
+    let mut divided: BTreeSet<[u32; 2]> = of_marked.flat_map(|(ring, _)| edges(ring)).collect();
+    loop {
+        let before = divided.len();
+        for ring in rings {
+            let count = edges(ring).filter(|edge| divided.contains(edge)).count();
+            if count > 2 {
+                divided.extend(edges(ring));
+            }
+        }
+        if divided.len() == before {
+            return divided;
+        }
+    }
+}
+
+/// The parts of a face, of whose edges some have a node in the middle; `centre` makes its own.
+fn divide(
+    ring: &[u32],
+    middle: &[Option<u32>],
+    faces: &mut Vec<[u32; 4]>,
+    centre: &mut dyn FnMut() -> u32,
+) {
+    let count = ring.len();
+    // From the first divided edge behind one that is not.
+    let turned = |from: usize| -> (Vec<u32>, Vec<Option<u32>>) {
+        let at = |k: usize| (from + k) % count;
+        ((0..count).map(|k| ring[at(k)]).collect(), (0..count).map(|k| middle[at(k)]).collect())
+    };
+    let begin = (0..count).find(|&k| middle[k].is_some() && middle[(k + count - 1) % count].is_none());
+    let (ring, middle) = turned(begin.unwrap_or(0));
+    match (&ring[..], &middle[..]) {
+        (&[a, b, c], &[Some(ab), Some(bc), Some(ca)]) => {
+            faces.extend([[a, ab, ca, ca], [ab, b, bc, bc], [ca, bc, c, c], [ab, bc, ca, ca]]);
+        }
+        (&[a, b, c], &[Some(ab), Some(bc), None]) => faces.extend([[ab, b, bc, bc], [a, ab, bc, c]]),
+        (&[a, b, c], &[Some(ab), None, None]) => faces.extend([[a, ab, c, c], [ab, b, c, c]]),
+        (&[a, b, c, d], &[Some(ab), Some(bc), Some(cd), Some(da)]) => {
+            let m = centre();
+            faces.extend([[a, ab, m, da], [ab, b, bc, m], [m, bc, c, cd], [da, m, cd, d]]);
+        }
+        (&[a, b, c, d], &[Some(ab), None, Some(cd), None]) => {
+            faces.extend([[a, ab, cd, d], [ab, b, c, cd]]);
+        }
+        (&[a, b, c, d], &[Some(ab), Some(bc), None, None]) => {
+            let m = centre();
+            faces.extend([[a, ab, m, d], [ab, b, bc, m], [m, bc, c, d]]);
+        }
+        (&[a, b, c, d], &[Some(ab), None, None, None]) => {
+            let m = centre();
+            faces.extend([[a, ab, m, d], [ab, b, c, m], [m, c, d, d]]);
+        }
+        (&[a, b, c], _) => faces.push([a, b, c, c]),
+        (&[a, b, c, d], _) => faces.push([a, b, c, d]),
+        _ => {}
+    }
+}
+
+/// Nodes that are means of others.
+struct Middles {
+    first: usize,
+    parents: Vec<Vec<u32>>,
+}
+
+impl Middles {
+    /// Adds the mean of some nodes; its number.
+    fn mean(&mut self, points: &mut Vec<[f64; 3]>, nodes: &[u32]) -> u32 {
+        let sum: Vec3 = nodes.iter().map(|&node| Vec3::from(points[node as usize])).sum();
+        points.push((sum / nodes.len() as f64).into());
+        self.parents.push(nodes.to_vec());
+        (self.first + self.parents.len() - 1) as u32
+    }
 }
 
 #[cfg(test)]
@@ -112,5 +219,56 @@ mod tests {
         let twice = once.surface("strip", false).unwrap().refined();
         assert_eq!(twice.faces.len(), 16 * 3);
         assert_eq!(twice.surface("strip", false).unwrap().set("left").unwrap().len(), 5);
+    }
+
+    /// A square of 4×4 quadrangles.
+    fn square() -> Arrays {
+        let n = 4;
+        let at = |i: u32, j: u32| i * (n + 1) + j;
+        Arrays {
+            points: (0..=n)
+                .flat_map(|i| (0..=n).map(move |j| [f64::from(i), f64::from(j), 0.0]))
+                .collect(),
+            faces: (0..n)
+                .flat_map(|i| (0..n).map(move |j| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]))
+                .collect(),
+            sets: BTreeMap::from([("left".into(), (0..=n).collect())]),
+            face_sets: BTreeMap::from([("corner".into(), vec![0])]),
+        }
+    }
+
+    #[test]
+    fn faces_beside_the_marked_ones_are_divided_to_fit() {
+        // Two in the same row leave the one between them two divided edges; one at a corner leaves its neighbours one each.
+        for marked in [vec![0], vec![5], vec![5, 6], vec![5, 7], vec![5, 10], vec![0, 5, 15], vec![4, 1, 6, 9]] {
+            let surface = square().surface("square", false).unwrap();
+            let mut at = vec![false; 16];
+            marked.iter().for_each(|&face: &usize| at[face] = true);
+            let finer = surface.refined_at(&at);
+            assert_eq!(finer.parents.len(), finer.arrays.points.len() - 25);
+            let found = finer.arrays.surface("finer", false).unwrap();
+            // No edge hangs: one piece with one boundary, whose faces have the area of the square.
+            assert_eq!((found.pieces, found.loops.len()), (1, 1), "{marked:?}");
+            let area: f64 = finer
+                .arrays
+                .faces
+                .iter()
+                .map(|face| {
+                    let [a, b, c, d] = face.map(|node| Vec3::from(finer.arrays.points[node as usize]));
+                    0.5 * (c - a).cross(&(d - b)).z
+                })
+                .sum();
+            assert!((area - 16.0).abs() < 1e-12, "{marked:?}: {area}");
+            assert!(finer.arrays.faces.len() >= 16 + 3 * marked.len());
+        }
+    }
+
+    #[test]
+    fn sets_take_part_where_their_edges_are_divided() {
+        let surface = square().surface("square", false).unwrap();
+        let mut at = vec![false; 16];
+        at[0] = true;
+        let finer = surface.refined_at(&at).arrays;
+        assert_eq!((finer.sets["left"].len(), finer.face_sets["corner"].len()), (6, 4));
     }
 }
