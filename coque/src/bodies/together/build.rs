@@ -102,7 +102,6 @@ pub(in crate::bodies) fn together_model(
     let own_sets = BTreeMap::new();
     let made =
         BuiltBody { body, description, memory, identity, probes, driven, warnings, judge, sets: own_sets };
-    let sets = if scene.output.fields.is_some() { sets } else { BTreeMap::new() };
     Ok(Model { sets, ..made.model(scene, threads) })
 }
 
