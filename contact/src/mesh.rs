@@ -70,6 +70,14 @@ impl Mesh {
         &self.surface
     }
 
+    /// The nodes that are vertices themselves, ascending.
+    pub fn nodes(&self) -> impl Iterator<Item = u32> {
+        self.surface.vertices().iter().map_while(|vertex| match vertex.nodes() {
+            &[a] => Some(a),
+            _ => None,
+        })
+    }
+
     /// Corners of each face, by number of vertex.
     pub fn faces(&self) -> &[[u32; 3]] {
         &self.faces

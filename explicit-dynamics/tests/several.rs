@@ -91,8 +91,11 @@ impl Joinable for Mass {
     fn mass(&self, _: u32) -> f64 {
         self.mass
     }
+    fn release(&mut self) {
+        self.exerted = [0.0; 3];
+    }
     fn exert(&mut self, _: &[u32], forces: &[[f64; 3]]) {
-        self.exerted = forces[0];
+        (0..3).for_each(|k| self.exerted[k] += forces[0][k]);
     }
     fn unscaled(&self, _: &[u32], v: &[f64], out: &mut [[f64; 3]]) {
         out[0] = std::array::from_fn(|k| v[k] / self.mass.sqrt());
@@ -115,7 +118,7 @@ impl Interaction for Tie {
         forces[1] = apart.map(|u| -self.0 * u);
         0.5 * self.0 * apart.iter().map(|u| u * u).sum::<f64>()
     }
-    fn resist(&self, motion: &[[f64; 3]], forces: &mut [[f64; 3]]) {
+    fn resist(&self, _: &[[f64; 3]], motion: &[[f64; 3]], forces: &mut [[f64; 3]]) {
         self.evaluate_of(motion, forces);
     }
     fn fastest(&self, masses: &[f64]) -> f64 {
@@ -138,7 +141,7 @@ fn joined() -> Several<Mass> {
     let mut masses =
         vec![Box::new(Mass::new(1.0, 0.0, [1.0, 0.5, 0.0])), Box::new(Mass::new(2.0, 0.0, [0.0; 3]))];
     masses[1].v = [0.3, 0.0, -0.2];
-    Several::new(masses, Some(Box::new(Tie(K))))
+    Several::new(masses, vec![Box::new(Tie(K))])
 }
 
 /// ω² = k (1/m₁ + 1/m₂): the stable step is that of it, the distance its cosine to second order; momentum is kept to rounding, the energy
@@ -196,7 +199,7 @@ fn a_system_beside_another_marches_to_its_own_bits() {
     let one = || Box::new(Mass::new(1.0, 9.0, [1.0, 0.5, 0.0]));
     let other = || Box::new(Mass::new(1.0, 4.0, [0.1, 0.5, 0.7]));
     let marched = |systems: Vec<Box<Mass>>| {
-        let mut several = Several::new(systems, None);
+        let mut several = Several::new(systems, Vec::new());
         let plan = Transient { duration: 5.0, record_every: 1.0, damping: 0.1, safety: 0.3 };
         let mut march = March::start(plan, &mut several).unwrap();
         while march.advance(&mut several).unwrap() != Event::End {}

@@ -70,8 +70,16 @@ impl Joinable for Grains {
             *out = std::array::from_fn(|k| (0..3).map(|i| WAYS[i][k] * self.q[3 * a as usize + i]).sum());
         }
     }
+    fn put(&mut self, _: f64) {}
+
+    fn release(&mut self) {
+        self.exerted.fill([0.0; 3]);
+    }
+
     fn exert(&mut self, particles: &[u32], forces: &[[f64; 3]]) {
-        particles.iter().zip(forces).for_each(|(&a, force)| self.exerted[a as usize] = *force);
+        for (&a, force) in particles.iter().zip(forces) {
+            (0..3).for_each(|k| self.exerted[a as usize][k] += force[k]);
+        }
     }
     fn motion_of(&self, particle: u32) -> Vec<(usize, [f64; 3])> {
         (0..3).map(|i| (3 * particle as usize + i, WAYS[i])).collect()
@@ -104,7 +112,7 @@ impl Interaction for Product {
         }
         0.5 * s * s
     }
-    fn stiffness(&self, blocks: &mut [[[f64; 3]; 3]]) {
+    fn stiffness(&self, _: &[[f64; 3]], blocks: &mut [[[f64; 3]; 3]]) {
         let [x, y] = self.places;
         let s = dot(&x, &y);
         for i in 0..3 {
@@ -118,7 +126,7 @@ impl Interaction for Product {
 }
 
 fn joined() -> Several<Grains> {
-    Several::new(vec![Box::new(Grains::new(2)), Box::new(Grains::new(1))], Some(Box::new(Product::default())))
+    Several::new(vec![Box::new(Grains::new(2)), Box::new(Grains::new(1))], vec![Box::new(Product::default())])
 }
 
 /// Differences of fourth order over steps of 1e-3: some 1e-11 measured.
@@ -144,7 +152,7 @@ fn the_tangent_is_the_derivative_of_all_forces() {
 /// A linear answer of systems that do not act on each other is that of each, to the bit: the factor of a diagonal has no sums.
 #[test]
 fn unjoined_systems_answer_as_each_alone() {
-    let mut several = Several::new(vec![Box::new(Grains::new(2)), Box::new(Grains::new(1))], None);
+    let mut several = Several::new(vec![Box::new(Grains::new(2)), Box::new(Grains::new(1))], Vec::new());
     let together = linear_response(&mut several, 0.0).unwrap();
     let alone = [linear_response(&mut Grains::new(2), 0.0), linear_response(&mut Grains::new(1), 0.0)];
     assert_eq!(together, alone.map(Result::unwrap).concat());

@@ -307,10 +307,14 @@ impl Solid {
         }
     }
 
-    /// Takes what other bodies exert on some of its nodes, from now on.
-    pub(crate) fn take_exerted(&mut self, nodes: &[u32], forces: &[[f64; 3]]) {
-        self.external.resize(self.rest.len(), Vec3::zeros());
+    /// Takes away what other bodies exert.
+    pub(crate) fn release_exerted(&mut self) {
         self.exerted.clear();
+    }
+
+    /// Adds what other bodies exert on some of its nodes, from now on until that is taken away.
+    pub(crate) fn add_exerted(&mut self, nodes: &[u32], forces: &[[f64; 3]]) {
+        self.external.resize(self.rest.len(), Vec3::zeros());
         self.exerted.extend(nodes.iter().copied().zip(forces.iter().map(|&force| force.into())));
     }
 

@@ -337,6 +337,7 @@ pub use conditions::supports::{
     Clamped, Diaphragm, DirectorHold, Held, Hinged, Holds, Moved, Rotated, Support, Supported, SymmetryPlane,
 };
 pub use conditions::tools::Tool;
+pub use conditions::touched::contact_stiffness;
 pub use conditions::turn::Turn;
 pub use conditions::turned::Turned;
 pub use control::arcs::ChordLoss;

@@ -87,10 +87,14 @@ impl Loading {
         if self.idle { &[] } else { &self.external }
     }
 
-    /// Takes what other bodies exert on some of so many particles.
+    /// Takes away what other bodies exert.
+    pub fn release(&mut self) {
+        self.exerted.clear();
+    }
+
+    /// Adds what other bodies exert on some of so many particles, from now on until [`Loading::release`].
     pub fn exert(&mut self, particles: &[u32], forces: &[[f64; 3]], count: usize) {
         self.external.resize(count, [0.0; 6]);
-        self.exerted.clear();
         self.exerted.extend(particles.iter().copied().zip(forces.iter().copied()));
     }
 
@@ -174,7 +178,19 @@ impl Loading {
         }
         self.idle = tools_alone && !touching;
         self.evaluate_bodies(now.is_some(), &scale, reference, &mut dependents.junctions, &motion.state);
-        let Self { loads, case, springs, tools, own_contact, wetted, push, exerted, external, spring_forces, .. } = self;
+        let Self {
+            loads,
+            case,
+            springs,
+            tools,
+            own_contact,
+            wetted,
+            push,
+            exerted,
+            external,
+            spring_forces,
+            ..
+        } = self;
         let body = dependents.loaded(reference, &motion.state);
         external.fill([0.0; 6]);
         for applied in loads.iter() {

@@ -1,16 +1,30 @@
 //! What a shell touches, tools or itself, and what of that a checkpoint keeps.
 
-use contact::{Deepest, SurfaceTouch, Touch};
+use contact::{Deepest, Mesh, SurfaceTouch, Touch};
 use explicit_dynamics::Instant;
 use sph_core::Vec3;
 
 use crate::Shell;
+use crate::conditions::touched::{contact_stiffness, touched_mesh};
+use crate::error::ShellError;
 
 impl Shell {
     /// Evaluates loads and tools at an instant; what each tool and the shell do to each other there.
     pub fn touch(&mut self, at: Instant) -> &[Touch] {
         self.evaluate_external(at);
         self.touches()
+    }
+
+    /// Its surface as other bodies touch it, its thickness \[L\], and its stiffness of contact against a rigid tool \[F/L³\].
+    ///
+    /// # Errors
+    /// [`ShellError`] for a shell without cells, with sections off its particles, or with thicknesses that differ.
+    pub fn surface_touched(&self) -> Result<(Mesh, f64, f64), ShellError> {
+        let half = self.material.half_thickness(&self.reference)?;
+        let (mesh, thickness) = touched_mesh(&self.reference.cloud, &half)?;
+        let scales = self.material.scales();
+        let all = std::iter::once(scales.uniform).chain(scales.own);
+        Ok((mesh, thickness, contact_stiffness(all, &self.reference.cloud)))
     }
 
     /// Least gaps between its faces and those of each tool at an instant \[L\], negative where they are in each other.

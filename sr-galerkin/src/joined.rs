@@ -11,9 +11,16 @@ impl Joinable for Galerkin {
         out.iter_mut().zip(nodes).for_each(|(out, node)| *out = of(node));
     }
 
+    fn put(&mut self, level: f64) {
+        Galerkin::put(self, level);
+    }
+
+    fn release(&mut self) {
+        self.exerted.clear();
+    }
+
     /// Nodes move with the parameters of all whose shape functions reach them: a force on one is spread by the same numbers.
     fn exert(&mut self, nodes: &[u32], forces: &[[f64; 3]]) {
-        self.exerted.clear();
         self.exerted.resize(self.parameters.len(), 0.0);
         for (&node, &force) in nodes.iter().zip(forces) {
             let shape = &self.space.nodal[node as usize];

@@ -43,14 +43,14 @@ impl SurfaceContact {
     /// Makes the lists that were made where nodes were, body by body as [`SurfaceContact::listed`] has them; false, and nothing changed,
     /// if these are nodes of other bodies.
     pub fn take_up(&mut self, listed: &[&[[f64; 3]]]) -> bool {
-        let fits = |(mesh, listed): (&Mesh, &&[[f64; 3]])| nodes_of(mesh).count() == listed.len();
+        let fits = |(mesh, listed): (&Mesh, &&[[f64; 3]])| mesh.nodes().count() == listed.len();
         if listed.len() != self.meshes.len() || !self.meshes.iter().zip(listed).all(fits) {
             return false;
         }
         let place = |(mesh, listed): (&Mesh, &&[[f64; 3]])| {
-            let last = nodes_of(mesh).max().map_or(0, |a| a as usize + 1);
+            let last = mesh.nodes().max().map_or(0, |a| a as usize + 1);
             let mut places = vec![Vec3::zeros(); last];
-            nodes_of(mesh).zip(*listed).for_each(|(a, x)| places[a as usize] = Vec3::from(*x));
+            mesh.nodes().zip(*listed).for_each(|(a, x)| places[a as usize] = Vec3::from(*x));
             places
         };
         let places: Vec<Vec<Vec3>> = self.meshes.iter().zip(listed).map(place).collect();
@@ -77,7 +77,7 @@ impl SurfaceContact {
             places[body].clear();
             places[body].extend(vertices.iter().map(|vertex| vertex.place(|a| at((body, a)))));
             listed[body].clear();
-            listed[body].extend(nodes_of(mesh).map(|a| at((body, a))));
+            listed[body].extend(mesh.nodes().map(|a| at((body, a))));
         }
         for pass in passes.iter_mut() {
             let allowed =
@@ -104,7 +104,7 @@ impl SurfaceContact {
     fn moved(&self, at: impl Fn(Node) -> Vec3) -> f64 {
         let all = || {
             let bodies = self.meshes.iter().zip(&self.listed).enumerate();
-            bodies.flat_map(|(body, (mesh, listed))| nodes_of(mesh).map(move |a| (body, a)).zip(listed))
+            bodies.flat_map(|(body, (mesh, listed))| mesh.nodes().map(move |a| (body, a)).zip(listed))
         };
         let (mut sum, mut count) = (Vec3::zeros(), 0.0);
         for (node, from) in all() {
@@ -119,12 +119,4 @@ impl SurfaceContact {
         }
         most.sqrt()
     }
-}
-
-/// The nodes that are vertices themselves.
-fn nodes_of(mesh: &Mesh) -> impl Iterator<Item = u32> {
-    mesh.surface().vertices().iter().map_while(|vertex| match vertex.nodes() {
-        &[a] => Some(a),
-        _ => None,
-    })
 }

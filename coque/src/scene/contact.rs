@@ -5,11 +5,12 @@ use serde::Deserialize;
 
 use crate::scene::bounded::{Positive, Rounding};
 
-/// A contact without friction: the surface of the one body with itself. Mid-surfaces stand a thickness apart when faces touch.
+/// A contact without friction: of the surfaces of two shells, or of that of a shell with itself. Mid-surfaces stand half of both thicknesses
+/// apart when faces touch.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct ContactScene {
-    /// The two bodies that touch; left out, the one body touches itself.
+    /// The two shells that touch, whichever first; left out, the one body touches itself.
     pub between: Option<[String; 2]>,
     /// Factor on the stiffness of contact; left out, 1: the lesser of what the thickness gives, E/t, and of what shortens steps in time by
     /// a tenth at most.

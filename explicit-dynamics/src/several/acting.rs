@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::interaction::{Interaction, Joinable};
+use super::interaction::{Interaction, Joinable, Places};
 use crate::step::Work;
 
 /// An interaction with what it sees and exerts.
@@ -16,6 +16,9 @@ pub(super) struct Acting {
     forces: Vec<[f64; 3]>,
     before: Vec<[f64; 3]>,
     after: Vec<[f64; 3]>,
+    masses: Vec<f64>,
+    /// Whether it exerts nothing in this step, whatever places are.
+    rests: bool,
 }
 
 impl Acting {
@@ -28,15 +31,17 @@ impl Acting {
         };
         let ranges = particles.iter().map(range).collect();
         let room = || vec![[0.0; 3]; count];
-        Self { interaction, particles, ranges, places: room(), forces: room(), before: room(), after: room() }
+        let (places, forces, before, after, masses) = (room(), room(), room(), room(), Vec::new());
+        Self { interaction, particles, ranges, places, forces, before, after, masses, rests: false }
     }
 
     /// Lets it act on the systems at their present places; its energy \[F L\].
     pub fn act<S: Joinable + ?Sized>(&mut self, systems: &mut [Box<S>]) -> f64 {
-        let Self { interaction, particles, ranges, places, forces, .. } = self;
-        for ((system, particles), range) in systems.iter().zip(&*particles).zip(&*ranges) {
-            system.places(particles, &mut places[range.clone()]);
+        if self.rests {
+            return 0.0;
         }
+        self.see(systems);
+        let Self { interaction, particles, ranges, places, forces, .. } = self;
         let energy = interaction.evaluate(places, forces);
         for ((system, particles), range) in systems.iter_mut().zip(&*particles).zip(&*ranges) {
             system.exert(particles, &forces[range.clone()]);
@@ -44,13 +49,60 @@ impl Acting {
         energy
     }
 
+    /// Reads the present places.
+    fn see<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) {
+        let Self { particles, ranges, places, .. } = self;
+        for ((system, particles), range) in systems.iter().zip(&*particles).zip(&*ranges) {
+            system.places(particles, &mut places[range.clone()]);
+        }
+    }
+
+    /// The step to take next, at most a stable one that was found with a safety.
+    pub fn shortened<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>], stable: f64, safety: f64) -> f64 {
+        self.rests = self.interaction.rests();
+        if self.rests {
+            return stable;
+        }
+        self.see(systems);
+        read(systems, &self.particles, &self.ranges, &mut self.before);
+        if self.masses.is_empty() {
+            self.masses = self.masses_of(systems);
+        }
+        let now = Places { at: &self.places, velocities: &self.before, masses: &self.masses };
+        self.interaction.shortened(stable, safety, &now)
+    }
+
+    /// What acts.
+    pub fn interaction(&self) -> &dyn Interaction {
+        &*self.interaction
+    }
+
+    /// Takes up what it kept with a state.
+    pub fn take_up<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>], kept: &[f64]) -> bool {
+        self.rests = false;
+        let masses = self.masses_of(systems);
+        self.interaction.take_up(kept, &masses)
+    }
+
+    /// What it last exerted on a particle of a system \[F\].
+    pub fn force_on(&self, system: usize, particle: u32) -> [f64; 3] {
+        let at = self.particles[system].binary_search(&particle).ok().filter(|_| !self.rests);
+        at.map_or([0.0; 3], |at| self.forces[self.ranges[system].start + at])
+    }
+
     /// Reads the velocities before a kick.
     pub fn before<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) {
+        if self.rests {
+            return;
+        }
         read(systems, &self.particles, &self.ranges, &mut self.before);
     }
 
     /// Takes its own work over a kick out of the external work, and counts what it resisted as internal forces do.
     pub fn after<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>], kick: f64, work: &mut Work) {
+        if self.rests {
+            return;
+        }
         read(systems, &self.particles, &self.ranges, &mut self.after);
         let mut done = 0.0;
         let mut gave_way = 0.0;
@@ -66,11 +118,12 @@ impl Acting {
 
     /// A bound of the square of its highest frequency on the masses of the systems \[1/T²\].
     pub fn fastest<S: Joinable + ?Sized>(&self, systems: &[Box<S>]) -> f64 {
-        let of = |(system, particles): (&Box<S>, &Vec<u32>)| {
-            particles.iter().map(|&particle| system.mass(particle)).collect::<Vec<_>>()
-        };
-        let masses: Vec<f64> = systems.iter().zip(&self.particles).flat_map(of).collect();
-        self.interaction.fastest(&masses)
+        self.interaction.fastest(&self.masses_of(systems))
+    }
+
+    fn masses_of<S: Joinable + ?Sized>(&self, systems: &[Box<S>]) -> Vec<f64> {
+        let all = systems.iter().zip(&self.particles);
+        all.flat_map(|(system, particles)| particles.iter().map(|&particle| system.mass(particle))).collect()
     }
 
     /// Adds its tangent in mass-scaled coordinates, those of each system behind those before it.
@@ -87,7 +140,7 @@ impl Acting {
             let own = &mut motion[self.ranges[number].clone()];
             system.unscaled(&self.particles[number], &v[unknowns[number].clone()], own);
         }
-        self.interaction.resist(&motion, &mut forces);
+        self.interaction.resist(&self.places, &motion, &mut forces);
         for (number, system) in systems.iter().enumerate() {
             let own = &forces[self.ranges[number].clone()];
             system.add_scaled(&self.particles[number], own, &mut out[unknowns[number].clone()]);

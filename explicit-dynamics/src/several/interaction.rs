@@ -1,7 +1,18 @@
 //! What a system offers to others that act on it, and what acts between systems.
 
 use crate::dynamics::Dynamics;
+use crate::error::OutOfBounds;
 use crate::linearised::MassScaled;
+
+/// Places on which an interaction acts, with their velocities and masses.
+pub struct Places<'a> {
+    /// Positions \[L\].
+    pub at: &'a [[f64; 3]],
+    /// Velocities \[L/T\].
+    pub velocities: &'a [[f64; 3]],
+    /// Masses that move with them at least \[M\].
+    pub masses: &'a [f64],
+}
 
 /// A system of particles on which others act.
 pub trait Joinable: Dynamics + MassScaled {
@@ -17,7 +28,10 @@ pub trait Joinable: Dynamics + MassScaled {
     /// Masses that move with a particle at least \[M\].
     fn mass(&self, particle: u32) -> f64;
 
-    /// Exerts forces on some particles \[F\], always the same ones, in each evaluation from now on until others are given.
+    /// Takes away all forces that others exert.
+    fn release(&mut self);
+
+    /// Exerts forces on some particles \[F\] beside those that others exert, in each evaluation from now on until they are taken away.
     fn exert(&mut self, particles: &[u32], forces: &[[f64; 3]]);
 
     /// How some particles move in a mass-scaled motion: `M^{-½} v`, without what supports hold.
@@ -37,9 +51,37 @@ pub trait Interaction: Send {
     /// Fills in the forces at present places; returns its energy \[F L\].
     fn evaluate(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64;
 
-    /// Fills in the forces that resist a small motion at the places last evaluated, `∂²U/∂x² u`.
-    fn resist(&self, motion: &[[f64; 3]], forces: &mut [[f64; 3]]);
+    /// Fills in the forces that resist a small motion at places, those last evaluated, `∂²U/∂x² u`.
+    fn resist(&self, places: &[[f64; 3]], motion: &[[f64; 3]], forces: &mut [[f64; 3]]);
 
     /// A bound of the square of its highest frequency, places having these masses \[1/T²\].
     fn fastest(&self, masses: &[f64]) -> f64;
+
+    /// Whether it exerts nothing in the step to come, whatever places are: they are not read then. Asked once a step.
+    fn rests(&mut self) -> bool {
+        false
+    }
+
+    /// The step to take next, at most the stable one, as [`Dynamics::shortened`]; the next evaluation is of the same places.
+    fn shortened(&mut self, stable: f64, _safety: f64, _now: &Places<'_>) -> f64 {
+        stable
+    }
+
+    /// Refuses a state outside the range of the model.
+    ///
+    /// # Errors
+    /// The place, and the number that is out of bounds.
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        Ok(())
+    }
+
+    /// What belongs to a state beside the motion of the systems.
+    fn kept(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Takes up what [`Interaction::kept`] gave, where places have these masses \[M\]; false if it is that of another.
+    fn take_up(&mut self, kept: &[f64], _masses: &[f64]) -> bool {
+        kept.is_empty()
+    }
 }

@@ -10,12 +10,12 @@ impl<S: Joinable + ?Sized> Several<S> {
     /// Where the coordinates of each system stand.
     fn ranges(&self) -> Vec<Range<usize>> {
         let mut end = 0;
-        let range = |system: &Box<S>| {
+        let mut range = |system: &S| {
             let start = end;
-            end += LinearisedDynamics::unknowns(&**system);
+            end += LinearisedDynamics::unknowns(system);
             start..end
         };
-        self.systems.iter().map(range).collect()
+        self.systems.iter().map(|system| range(system)).collect()
     }
 }
 
@@ -29,7 +29,7 @@ impl<S: Joinable + ?Sized> LinearisedDynamics for Several<S> {
         for (system, range) in self.systems.iter_mut().zip(&ranges) {
             system.apply(&v[range.clone()], &mut out[range.clone()]);
         }
-        if let Some(acting) = &self.acting {
+        for acting in &self.acting {
             acting.add_tangent(&self.systems, &ranges, v, out);
         }
     }

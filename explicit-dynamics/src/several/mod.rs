@@ -16,5 +16,5 @@ mod interaction;
 mod linearised;
 mod system;
 
-pub use interaction::{Interaction, Joinable};
+pub use interaction::{Interaction, Joinable, Places};
 pub use system::Several;

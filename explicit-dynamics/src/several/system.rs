@@ -11,13 +11,28 @@ use crate::step::{Instant, Step, Work};
 /// Systems that take the same steps, and what they do to each other.
 pub struct Several<S: ?Sized> {
     pub(super) systems: Vec<Box<S>>,
-    pub(super) acting: Option<Acting>,
+    pub(super) acting: Vec<Acting>,
 }
 
 impl<S: Joinable + ?Sized> Several<S> {
-    /// Systems, with what they do to each other if they do anything.
-    pub fn new(systems: Vec<Box<S>>, interaction: Option<Box<dyn Interaction>>) -> Self {
-        Self { systems, acting: interaction.map(Acting::new) }
+    /// Systems, with all that they do to each other; particles of each interaction ascend.
+    pub fn new(systems: Vec<Box<S>>, interactions: Vec<Box<dyn Interaction>>) -> Self {
+        Self { systems, acting: interactions.into_iter().map(Acting::new).collect() }
+    }
+
+    /// Takes up what each interaction kept with a state, after the systems have taken it up; false if it is that of others.
+    pub fn take_up(&mut self, kept: &[&[f64]]) -> bool {
+        let fits = kept.len() == self.acting.len();
+        fits && self.acting.iter_mut().zip(kept).all(|(acting, kept)| acting.take_up(&self.systems, kept))
+    }
+
+    /// Lets them act on each other at their present places; the energy of that \[F L\].
+    fn act(&mut self) -> f64 {
+        if self.acting.is_empty() {
+            return 0.0;
+        }
+        self.systems.iter_mut().for_each(|system| system.release());
+        self.acting.iter_mut().map(|acting| acting.act(&mut self.systems)).sum()
     }
 }
 
@@ -30,6 +45,16 @@ impl<S: ?Sized> Several<S> {
     /// The same, to put them into other states.
     pub fn systems_mut(&mut self) -> &mut [Box<S>] {
         &mut self.systems
+    }
+
+    /// What each interaction keeps with a state, in the order in which they were given.
+    pub fn kept(&self) -> Vec<Vec<f64>> {
+        self.acting.iter().map(|acting| acting.interaction().kept()).collect()
+    }
+
+    /// What an interaction last exerted on a particle of a system \[F\].
+    pub fn force_on(&self, interaction: usize, system: usize, particle: u32) -> [f64; 3] {
+        self.acting.get(interaction).map_or([0.0; 3], |acting| acting.force_on(system, particle))
     }
 }
 
@@ -46,17 +71,17 @@ fn sum(works: impl Iterator<Item = Work>) -> Work {
 
 impl<S: Joinable + ?Sized> Dynamics for Several<S> {
     fn evaluate(&mut self, at: Instant) -> f64 {
-        let between = self.acting.as_mut().map(|acting| acting.act(&mut self.systems));
+        let between = self.act();
         let own: f64 = self.systems.iter_mut().map(|system| system.evaluate(at)).sum();
-        own + between.unwrap_or(0.0)
+        own + between
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        if let Some(acting) = &mut self.acting {
+        for acting in &mut self.acting {
             acting.before(&self.systems);
         }
         let mut work = sum(self.systems.iter_mut().map(|system| system.kick(step)));
-        if let Some(acting) = &mut self.acting {
+        for acting in &mut self.acting {
             acting.after(&self.systems, step.kick, &mut work);
         }
         work
@@ -67,7 +92,7 @@ impl<S: Joinable + ?Sized> Dynamics for Several<S> {
     }
 
     fn advance(&mut self, step: &Step) -> Work {
-        if self.acting.is_none() {
+        if self.acting.is_empty() {
             return sum(self.systems.iter_mut().map(|system| system.advance(step)));
         }
         // The work of what they do to each other takes the velocities behind the kick, which a drift may carry on.
@@ -83,12 +108,26 @@ impl<S: Joinable + ?Sized> Dynamics for Several<S> {
             let StableStep { dt, holds } = system.stable_step(safety)?;
             least = StableStep { dt: least.dt.min(dt), holds: least.holds.min(holds) };
         }
-        let Some(acting) = &self.acting else { return Ok(least) };
-        let square = (2.0 * safety / least.dt).powi(2) + acting.fastest(&self.systems);
+        if self.acting.is_empty() {
+            return Ok(least);
+        }
+        let between: f64 = self.acting.iter().map(|acting| acting.fastest(&self.systems)).sum();
+        let square = (2.0 * safety / least.dt).powi(2) + between;
         Ok(StableStep { dt: 2.0 * safety / square.sqrt(), ..least })
     }
 
+    fn shortened(&mut self, stable: f64, safety: f64) -> f64 {
+        let own = self.systems.iter_mut().map(|system| system.shortened(stable, safety));
+        let least = own.fold(stable, f64::min);
+        self.acting
+            .iter_mut()
+            .fold(least, |least, acting| least.min(acting.shortened(&self.systems, stable, safety)))
+    }
+
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
+        if bounds == Bounds::Configuration {
+            self.acting.iter().try_for_each(|acting| acting.interaction().within_bounds())?;
+        }
         let mut first = 0;
         for system in &self.systems {
             system.within_bounds(bounds).map_err(|found| match found {

@@ -39,7 +39,6 @@ impl Acting {
             count - of.len()..count
         };
         let ranges = particles.iter().map(range).collect();
-        let pairs = interaction.pairs();
         let room = || vec![[0.0; 3]; count];
         let (places, forces) = (room(), room());
         let mut acting = Self {
@@ -48,36 +47,76 @@ impl Acting {
             ranges,
             places,
             forces,
-            pairs,
+            pairs: Vec::new(),
             own: Vec::new(),
             entries: HashMap::new(),
         };
-        let moves = acting.moves(systems, first);
-        for &[a, b] in &acting.pairs {
+        acting.enter(systems, first, pattern);
+        acting
+    }
+
+    /// Finds where its blocks stand in the pattern of all that stands before it, and which entries it adds behind that.
+    pub fn enter<S: Joinable + ?Sized>(
+        &mut self,
+        systems: &[Box<S>],
+        first: &[usize],
+        pattern: &[(usize, usize)],
+    ) {
+        self.pairs = self.interaction.pairs();
+        self.entries.clear();
+        let moves = self.moves(systems, first);
+        for &[a, b] in &self.pairs {
             for (i, _) in &moves[a] {
-                acting.entries.extend(moves[b].iter().map(|(j, _)| ((*i.max(j), *i.min(j)), usize::MAX)));
+                self.entries.extend(moves[b].iter().map(|(j, _)| ((*i.max(j), *i.min(j)), usize::MAX)));
             }
         }
         for (number, entry) in pattern.iter().enumerate() {
-            if let Some(at) = acting.entries.get_mut(entry) {
+            if let Some(at) = self.entries.get_mut(entry) {
                 *at = number;
             }
         }
-        let missing = acting.entries.iter().filter(|(_, at)| **at == usize::MAX).map(|(entry, _)| *entry);
-        acting.own = missing.collect();
-        acting.own.sort_unstable();
-        for (number, entry) in acting.own.iter().enumerate() {
-            acting.entries.insert(*entry, pattern.len() + number);
+        let missing = self.entries.iter().filter(|(_, at)| **at == usize::MAX).map(|(entry, _)| *entry);
+        self.own = missing.collect();
+        self.own.sort_unstable();
+        for (number, entry) in self.own.iter().enumerate() {
+            self.entries.insert(*entry, pattern.len() + number);
         }
-        acting
+    }
+
+    /// Whether it joins other pairs of the present places than before.
+    pub fn changed<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) -> bool {
+        self.see(systems);
+        self.interaction.pairs_changed(&self.places)
+    }
+
+    /// What it last exerted on a particle of a system \[F\].
+    pub fn force_on(&self, system: usize, particle: u32) -> [f64; 3] {
+        let at = self.particles[system].binary_search(&particle).ok();
+        at.map_or([0.0; 3], |at| self.forces[self.ranges[system].start + at])
+    }
+
+    /// What acts.
+    pub fn interaction(&self) -> &dyn Interaction {
+        &*self.interaction
+    }
+
+    /// Takes up what it kept with a state.
+    pub fn take_up(&mut self, kept: &[f64]) -> bool {
+        self.interaction.take_up(kept)
+    }
+
+    /// Reads the present places.
+    fn see<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) {
+        let Self { particles, ranges, places, .. } = self;
+        for ((system, particles), range) in systems.iter().zip(&*particles).zip(&*ranges) {
+            system.places(particles, &mut places[range.clone()]);
+        }
     }
 
     /// Lets it act on the systems at their present places; its energy \[F L\].
     pub fn act<S: Joinable + ?Sized>(&mut self, systems: &mut [Box<S>]) -> f64 {
+        self.see(systems);
         let Self { interaction, particles, ranges, places, forces, .. } = self;
-        for ((system, particles), range) in systems.iter().zip(&*particles).zip(&*ranges) {
-            system.places(particles, &mut places[range.clone()]);
-        }
         let energy = interaction.evaluate(places, forces);
         for ((system, particles), range) in systems.iter_mut().zip(&*particles).zip(&*ranges) {
             system.exert(particles, &forces[range.clone()]);
@@ -100,7 +139,7 @@ impl Acting {
     /// makes it more.
     pub fn add_row_sums<S: Joinable + ?Sized>(&self, systems: &[Box<S>], first: &[usize], out: &mut [f64]) {
         let mut blocks = vec![[[0.0; 3]; 3]; self.pairs.len()];
-        self.interaction.stiffness(&mut blocks);
+        self.interaction.stiffness(&self.places, &mut blocks);
         let mut sums = vec![[0.0; 3]; self.places.len()];
         for (&[a, b], block) in self.pairs.iter().zip(&blocks) {
             for i in 0..3 {
@@ -121,7 +160,7 @@ impl Acting {
     /// Hands every entry of the lower half with what belongs to it to `put`, some of them several times.
     fn visit(&self, moves: &[Moves], mut put: impl FnMut((usize, usize), f64)) {
         let mut blocks = vec![[[0.0; 3]; 3]; self.pairs.len()];
-        self.interaction.stiffness(&mut blocks);
+        self.interaction.stiffness(&self.places, &mut blocks);
         for (&[a, b], block) in self.pairs.iter().zip(&blocks) {
             for (i, left) in &moves[a] {
                 for (j, right) in &moves[b] {
@@ -140,13 +179,14 @@ impl Acting {
 
     /// How each place moves.
     fn moves<S: Joinable + ?Sized>(&self, systems: &[Box<S>], first: &[usize]) -> Vec<Moves> {
-        let of_system = |((system, particles), first): ((&Box<S>, &Vec<u32>), &usize)| {
+        let mut all = Vec::with_capacity(self.places.len());
+        for ((system, particles), first) in systems.iter().zip(&self.particles).zip(first) {
             let of = |&particle: &u32| -> Moves {
                 system.motion_of(particle).into_iter().map(|(unknown, way)| (first + unknown, way)).collect()
             };
-            particles.iter().map(of).collect::<Vec<_>>()
-        };
-        systems.iter().zip(&self.particles).zip(first).flat_map(of_system).collect()
+            all.extend(particles.iter().map(of));
+        }
+        all
     }
 }
 

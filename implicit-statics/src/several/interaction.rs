@@ -7,7 +7,13 @@ pub trait Joinable: Equilibrium {
     /// Positions \[L\] of some particles in the present state.
     fn places(&self, particles: &[u32], out: &mut [[f64; 3]]);
 
-    /// Exerts forces on some particles \[F\], always the same ones, whatever the level, until others are given.
+    /// Puts what is prescribed of it where a level has that.
+    fn put(&mut self, level: f64);
+
+    /// Takes away all forces that others exert.
+    fn release(&mut self);
+
+    /// Exerts forces on some particles \[F\] beside those that others exert, whatever the level, until they are taken away.
     fn exert(&mut self, particles: &[u32], forces: &[[f64; 3]]);
 
     /// Each unknown that moves a particle, always the same ones, with the velocity of the particle for a unit of it.
@@ -21,12 +27,28 @@ pub trait Interaction: Send {
     /// Particles on which it acts, a list for each system; it never changes.
     fn particles(&self) -> Vec<Vec<u32>>;
 
-    /// Pairs of places that share a block of its tangent, each once, and each place with itself; they never change.
+    /// Pairs of places that share a block of its tangent, each once, and each place with itself; the same ones until
+    /// [`Interaction::pairs_changed`] says otherwise.
     fn pairs(&self) -> Vec<[usize; 2]>;
+
+    /// Finds the pairs of present places; whether they are others than before.
+    fn pairs_changed(&mut self, _places: &[[f64; 3]]) -> bool {
+        false
+    }
+
+    /// What belongs to a state beside the unknowns of the systems.
+    fn kept(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Takes up what [`Interaction::kept`] gave; false if it is that of another.
+    fn take_up(&mut self, kept: &[f64]) -> bool {
+        kept.is_empty()
+    }
 
     /// Fills in the forces at present places; returns its energy \[F L\].
     fn evaluate(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64;
 
-    /// Second derivatives of its energy at the places last evaluated, a block for each of [`Interaction::pairs`] \[F/L\].
-    fn stiffness(&self, blocks: &mut [[[f64; 3]; 3]]);
+    /// Second derivatives of its energy at places, those last evaluated, a block for each of [`Interaction::pairs`] \[F/L\].
+    fn stiffness(&self, places: &[[f64; 3]], blocks: &mut [[[f64; 3]; 3]]);
 }

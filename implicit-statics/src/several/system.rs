@@ -20,12 +20,12 @@ pub struct Several<S: ?Sized> {
     entries: OnceCell<Vec<usize>>,
     /// First number of each in a saved state, and the end.
     saved: Vec<usize>,
-    acting: Option<Acting>,
+    acting: Vec<Acting>,
 }
 
 impl<S: Joinable + ?Sized> Several<S> {
-    /// Systems, with what they do to each other if they do anything.
-    pub fn new(systems: Vec<Box<S>>, interaction: Option<Box<dyn Interaction>>) -> Self {
+    /// Systems, with all that they do to each other; particles of each interaction ascend.
+    pub fn new(systems: Vec<Box<S>>, interactions: Vec<Box<dyn Interaction>>) -> Self {
         let ends = |of: &dyn Fn(&S) -> usize| -> Vec<usize> {
             let mut end = 0;
             let next = systems.iter().map(|system| {
@@ -36,21 +36,38 @@ impl<S: Joinable + ?Sized> Several<S> {
         };
         let first = ends(&|system| system.unknowns());
         let saved = ends(&|system| system.save().len());
-        let mut several = Self { systems, first, entries: OnceCell::new(), saved, acting: None };
-        let pattern = interaction.as_ref().map(|_| several.pattern()).unwrap_or_default();
-        several.acting = interaction
-            .map(|interaction| Acting::new(interaction, &several.systems, &several.first, &pattern));
+        let mut several = Self { systems, first, entries: OnceCell::new(), saved, acting: Vec::new() };
+        for interaction in interactions {
+            let pattern = several.pattern();
+            several.acting.push(Acting::new(interaction, &several.systems, &several.first, &pattern));
+        }
         several
     }
 
-    /// Lets them act on each other in the present state; the energy of that \[F L\].
-    pub fn act(&mut self) -> f64 {
-        self.acting.as_mut().map_or(0.0, |acting| acting.act(&mut self.systems))
+    /// Lets them act on each other in the present state at a level; the energy of that \[F L\].
+    pub fn act(&mut self, level: f64) -> f64 {
+        if self.acting.is_empty() {
+            return 0.0;
+        }
+        for system in &mut self.systems {
+            system.put(level);
+            system.release();
+        }
+        self.acting.iter_mut().map(|acting| acting.act(&mut self.systems)).sum()
     }
 
-    /// Whether they act on each other.
-    pub fn is_joined(&self) -> bool {
-        self.acting.is_some()
+    /// What an interaction last exerted on a particle of a system \[F\].
+    pub fn force_on(&self, interaction: usize, system: usize, particle: u32) -> [f64; 3] {
+        self.acting.get(interaction).map_or([0.0; 3], |acting| acting.force_on(system, particle))
+    }
+
+    /// That of each system, without what acts between them.
+    fn pattern_of_systems(&self) -> Vec<(usize, usize)> {
+        let mut all = Vec::new();
+        for (system, first) in self.systems.iter().zip(&self.first) {
+            all.extend(system.pattern().into_iter().map(|(row, column)| (first + row, first + column)));
+        }
+        all
     }
 
     fn entries(&self) -> &Vec<usize> {
@@ -85,16 +102,24 @@ impl<S: ?Sized> Several<S> {
         &mut self.systems
     }
 
+    /// What each interaction keeps with a state, in the order in which they were given.
+    pub fn kept(&self) -> Vec<Vec<f64>> {
+        self.acting.iter().map(|acting| acting.interaction().kept()).collect()
+    }
+
+    /// Takes that up; false if it is that of others.
+    pub fn take_up(&mut self, kept: &[&[f64]]) -> bool {
+        let fits = kept.len() == self.acting.len();
+        fits && self.acting.iter_mut().zip(kept).all(|(acting, kept)| acting.take_up(kept))
+    }
+
     /// Unknowns of a system.
     pub fn unknowns_of(&self, system: usize) -> Range<usize> {
         self.first[system]..self.first[system + 1]
     }
 
     /// Each system with its part of a list.
-    fn parts<'a>(
-        &'a mut self,
-        ends: fn(&Self) -> &Vec<usize>,
-    ) -> impl Iterator<Item = (&'a mut Box<S>, Range<usize>)> {
+    fn parts(&mut self, ends: fn(&Self) -> &Vec<usize>) -> impl Iterator<Item = (&mut Box<S>, Range<usize>)> {
         let ends = ends(self).clone();
         self.systems
             .iter_mut()
@@ -109,12 +134,31 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     }
 
     fn pattern(&self) -> Vec<(usize, usize)> {
-        let mut all = Vec::new();
-        for (system, first) in self.systems.iter().zip(&self.first) {
-            all.extend(system.pattern().into_iter().map(|(row, column)| (first + row, first + column)));
-        }
+        let mut all = self.pattern_of_systems();
         all.extend(self.acting.iter().flat_map(|acting| acting.own.iter().copied()));
         all
+    }
+
+    fn pattern_changed(&mut self, level: f64) -> bool {
+        let mut changed = false;
+        for system in &mut self.systems {
+            changed |= system.pattern_changed(level);
+        }
+        if !self.acting.is_empty() {
+            self.systems.iter_mut().for_each(|system| system.put(level));
+        }
+        for acting in &mut self.acting {
+            changed |= acting.changed(&self.systems);
+        }
+        if changed {
+            self.entries = OnceCell::new();
+            let mut pattern = self.pattern_of_systems();
+            for acting in &mut self.acting {
+                acting.enter(&self.systems, &self.first, &pattern);
+                pattern.extend(&acting.own);
+            }
+        }
+        changed
     }
 
     fn coordinates(&self) -> Option<Vec<[f64; 3]>> {
@@ -132,17 +176,17 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     }
 
     fn external(&mut self, level: f64, out: &mut [f64]) {
-        self.act();
+        self.act(level);
         self.parts(|own| &own.first).for_each(|(system, range)| system.external(level, &mut out[range]));
     }
 
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
-        self.act();
+        self.act(level);
         self.parts(|own| &own.first).for_each(|(system, range)| system.load_rate(level, &mut out[range]));
     }
 
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
-        self.act();
+        self.act(level);
         self.parts(Self::entries).for_each(|(system, range)| system.tangent(level, &mut values[range]));
         self.add_stiffness(values);
     }
@@ -175,15 +219,15 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     }
 
     fn row_sums(&mut self, level: f64, out: &mut [f64]) {
-        self.act();
+        self.act(level);
         self.parts(|own| &own.first).for_each(|(system, range)| system.row_sums(level, &mut out[range]));
-        if let Some(acting) = &self.acting {
+        for acting in &self.acting {
             acting.add_row_sums(&self.systems, &self.first, out);
         }
     }
 
     fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
-        self.act();
+        self.act(level);
         let first = self.first.clone();
         let offered = self.parts(Self::entries).enumerate().all(|(number, (system, range))| {
             let motion = &motion[first[number]..first[number + 1]];
@@ -199,7 +243,7 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     fn turned_tangent(&mut self, levels: [f64; 2], motion: &[f64], values: &mut [f64]) {
         let rest = self.save();
         self.update(motion);
-        self.act();
+        self.act(levels[1]);
         self.restore(&rest);
         let first = self.first.clone();
         for (number, (system, range)) in self.parts(Self::entries).enumerate() {
@@ -263,8 +307,8 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
 impl<S: Joinable + ?Sized> Several<S> {
     /// Adds the stiffness of what they do to each other, whose entries follow those of the systems.
     fn add_stiffness(&self, values: &mut [f64]) {
-        if let Some(acting) = &self.acting {
-            values[self.entries()[self.systems.len()]..].fill(0.0);
+        values[self.entries()[self.systems.len()]..].fill(0.0);
+        for acting in &self.acting {
             acting.add_stiffness(&self.systems, &self.first, values);
         }
     }

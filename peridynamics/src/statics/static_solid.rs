@@ -124,7 +124,7 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
     }
 
     /// Puts prescribed values where a level has them.
-    fn put(&mut self, level: f64) {
+    pub(super) fn put(&mut self, level: f64) {
         let solid = &mut *self.solid;
         for &row in &self.moved {
             if let Some(constraint) = solid.constraints.get(row as usize) {

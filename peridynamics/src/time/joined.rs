@@ -22,8 +22,12 @@ impl Joinable for Solid {
         self.masses[node as usize]
     }
 
+    fn release(&mut self) {
+        self.release_exerted();
+    }
+
     fn exert(&mut self, nodes: &[u32], forces: &[[f64; 3]]) {
-        self.take_exerted(nodes, forces);
+        self.add_exerted(nodes, forces);
     }
 
     fn unscaled(&self, nodes: &[u32], v: &[f64], out: &mut [[f64; 3]]) {

@@ -14,5 +14,6 @@ pub(crate) mod spread;
 pub(crate) mod springs;
 pub(crate) mod supports;
 pub(crate) mod tools;
+pub(crate) mod touched;
 pub(crate) mod turn;
 pub(crate) mod turned;

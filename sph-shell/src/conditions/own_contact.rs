@@ -1,9 +1,10 @@
 //! A shell that may touch itself: forces, tangent, and how they shorten a step in time.
 
-use contact::{Deepest, Law, Mesh, Node, SurfaceContact, SurfaceTouch, Touching};
-use sph_core::{Cell, Vec3};
+use contact::{Deepest, Law, Node, SurfaceContact, SurfaceTouch, Touching};
+use sph_core::Vec3;
 
 use crate::conditions::loads::{Block, place_block};
+use crate::conditions::touched::touched_mesh;
 use crate::error::ShellError;
 use crate::packs::Row;
 use crate::reference::Reference;
@@ -22,8 +23,6 @@ const FLOOR: f64 = 0.01;
 const PATIENCE: f64 = 16.0;
 /// By how much speeds may grow meanwhile.
 const MARGIN: f64 = 2.0;
-/// How unlike thicknesses may be.
-const ALIKE: f64 = 1e-9;
 
 /// How a shell touches itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,21 +70,9 @@ impl SelfContact {
             return Err(ShellError::ContactStiffness(stiffness));
         }
         let cloud = &reference.cloud;
-        let halves = || half.iter().copied().filter(|half| *half > 0.0);
-        let (least, most) = (halves().fold(f64::INFINITY, f64::min), halves().fold(0.0, f64::max));
-        if most - least > ALIKE * most {
-            return Err(ShellError::ContactOfThicknesses { least: 2.0 * least, most: 2.0 * most });
-        }
-        // Sheets that meet have particles of their own there: contact sees the first of each place.
-        let mut first: Vec<u32> = (0..cloud.len() as u32).collect();
-        for joined in &cloud.joined {
-            joined.iter().for_each(|&a| first[a as usize] = joined[0]);
-        }
-        let cell = |cell: &Cell| Cell { corners: cell.corners.map(|a| first[a as usize]), ..*cell };
-        let cells: Vec<Cell> = cloud.cells.iter().map(cell).collect();
-        let mesh = Mesh::new(&cells, &cloud.positions, |_| most);
+        let (mesh, thickness) = touched_mesh(cloud, half)?;
         let skin = SKIN * cloud.spacing();
-        let touching = Touching { distance: 2.0 * most, law, stiffness, skin, edges };
+        let touching = Touching { distance: thickness, law, stiffness, skin, edges };
         let mut own = Self {
             contact: SurfaceContact::itself(mesh, &cloud.positions, touching),
             touch: SurfaceTouch::default(),

@@ -15,6 +15,14 @@ impl<S: DerefMut<Target = Shell>> Joinable for StaticShell<S> {
         out.iter_mut().zip(particles).for_each(|(out, a)| *out = of(a));
     }
 
+    fn put(&mut self, level: f64) {
+        StaticShell::put(self, level);
+    }
+
+    fn release(&mut self) {
+        self.shell.loading.release();
+    }
+
     fn exert(&mut self, particles: &[u32], forces: &[[f64; 3]]) {
         let shell = &mut *self.shell;
         let count = shell.len();

@@ -25,6 +25,10 @@ impl Joinable for Shell {
         self.reference.masses[particle as usize]
     }
 
+    fn release(&mut self) {
+        self.loading.release();
+    }
+
     fn exert(&mut self, particles: &[u32], forces: &[[f64; 3]]) {
         let count = self.len();
         self.loading.exert(particles, forces, count);

@@ -9,6 +9,14 @@ impl Joinable for GalerkinSolid {
         self.galerkin.places(particles, out);
     }
 
+    fn put(&mut self, level: f64) {
+        Joinable::put(&mut self.galerkin, level);
+    }
+
+    fn release(&mut self) {
+        self.galerkin.release();
+    }
+
     fn exert(&mut self, particles: &[u32], forces: &[[f64; 3]]) {
         self.galerkin.exert(particles, forces);
     }

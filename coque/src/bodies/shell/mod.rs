@@ -21,5 +21,5 @@ mod rigid;
 mod sections;
 mod start;
 mod thickness;
-mod tools;
+pub(super) mod tools;
 pub(crate) mod warnings;

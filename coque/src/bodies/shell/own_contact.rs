@@ -17,7 +17,7 @@ const OF_BOTH: f64 = 0.5;
 impl Builder<'_> {
     /// How the shell touches itself, if its scene says so.
     pub(super) fn own_contact(&self, sections: &Sections, cloud: &Cloud) -> Option<OwnContact> {
-        let own = self.scene.scene.contact.first()?;
+        let own = self.scene.scene.contact.iter().find(|own| own.between.is_none())?;
         let marches = matches!(self.scene.analysis, Analysis::Explicit(_));
         let rounding = own.rounding.map_or(if marches { ROUNDED } else { 0.0 }, |rounding| rounding.get());
         let factor = own.stiffness.map_or(1.0, |factor| factor.get());

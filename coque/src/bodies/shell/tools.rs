@@ -3,7 +3,7 @@
 use contact::{Law, ToolShape};
 use explicit_dynamics::Instant;
 use sph_core::Cloud;
-use sph_shell::{Shell, Tool};
+use sph_shell::{Shell, Tool, contact_stiffness};
 
 use super::build::Builder;
 use super::sections::Sections;
@@ -11,20 +11,15 @@ use crate::scene::error::SceneError;
 use crate::scene::{Analysis, ToolScene};
 
 /// Depth over half of the thickness up to which a shell that stands on a tool counts as touching it, and no more.
-pub(super) const TOUCHING: f64 = 1e-6;
+pub(in crate::bodies) const TOUCHING: f64 = 1e-6;
 /// Rounding of the law in analyses in time.
-pub(super) const ROUNDED: f64 = 0.05;
+pub(in crate::bodies) const ROUNDED: f64 = 0.05;
 
 /// Stiffness of contact of a unit of area of a shell \[F/L³\], before its factor: by its thinnest section and mean spacing.
 pub(super) fn stiffness(sections: &Sections, cloud: &Cloud) -> f64 {
-    let cells = cloud.cells.len().max(1) as f64;
-    let area: f64 = cloud.cells.iter().map(|cell| cell.geometry(&cloud.positions).area).sum();
-    let spacing = (area / cells).sqrt();
     let all = std::iter::once(sections.base.scales())
         .chain(sections.regions.iter().map(|region| region.section.scales()));
-    let of =
-        all.map(|scales| contact::stiffness(scales.membrane / scales.thickness, scales.thickness, spacing));
-    of.fold(f64::INFINITY, f64::min)
+    contact_stiffness(all, cloud)
 }
 
 impl Builder<'_> {

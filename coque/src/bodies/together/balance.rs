@@ -17,6 +17,10 @@ impl Equilibrium for Together<Balanced> {
         self.system.pattern()
     }
 
+    fn pattern_changed(&mut self, level: f64) -> bool {
+        self.system.pattern_changed(level)
+    }
+
     fn coordinates(&self) -> Option<Vec<[f64; 3]>> {
         self.system.coordinates()
     }
@@ -129,7 +133,7 @@ impl Equilibrium for Together<Balanced> {
 
 impl StaticBody for Together<Balanced> {
     fn refresh(&mut self, level: f64) -> f64 {
-        let between = self.system.act();
+        let between = self.system.act(level);
         self.system.systems_mut().iter_mut().map(|part| part.refresh(level)).sum::<f64>() + between
     }
 
@@ -142,7 +146,7 @@ impl StaticBody for Together<Balanced> {
     }
 
     fn opens_and_closes(&self) -> bool {
-        self.system.systems().iter().any(|part| part.opens_and_closes())
+        !self.layout.contacts.is_empty() || self.system.systems().iter().any(|part| part.opens_and_closes())
     }
 
     fn linear_reach(&self) -> f64 {

@@ -27,7 +27,12 @@ impl<S: Parts> Body for Together<S> {
 
     fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64 {
         let (body, own) = self.layout.place(particle);
-        self.system.each().get(body).map_or(0.0, |part| part.read(of, own, along))
+        let of_body = self.system.each().get(body).map_or(0.0, |part| part.read(of, own, along));
+        if of != Measured::ContactForce {
+            return of_body;
+        }
+        let between = self.layout.contacts.clone();
+        between.map(|contact| self.system.force_on(contact, body, own).dot(along)).sum::<f64>() + of_body
     }
 
     /// A column measures points of one body.
@@ -73,7 +78,10 @@ impl<S: Parts> Body for Together<S> {
             });
             named.collect::<Vec<_>>()
         };
-        parts.flat_map(named).collect()
+        let kept = self.system.kept().into_iter().enumerate().filter(|(_, kept)| !kept.is_empty());
+        let kept = kept
+            .map(|(number, numbers)| StateArray { name: between(number).into(), numbers: numbers.into() });
+        parts.flat_map(named).chain(kept).collect()
     }
 
     fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
@@ -99,8 +107,19 @@ impl<S: Parts> Together<S> {
         };
         let parts: Vec<_> = self.layout.names.iter().map(|name| of(name)).collect();
         let mut bodies = self.system.each_mut();
-        bodies.iter_mut().zip(&parts).try_for_each(|(body, own)| body.set_state(own))
+        bodies.iter_mut().zip(&parts).try_for_each(|(body, own)| body.set_state(own))?;
+        let kept = |number: usize| -> &[f64] {
+            let own = arrays.iter().find(|array| array.name == between(number));
+            own.map_or(&[], |array| &array.numbers)
+        };
+        let kept: Vec<&[f64]> = (0..self.system.kept().len()).map(kept).collect();
+        if self.system.take_up(&kept) { Ok(()) } else { Err(Mismatch) }
     }
+}
+
+/// Name of what an interaction keeps.
+fn between(number: usize) -> String {
+    format!("between bodies, {number}")
 }
 
 fn owned(array: StateArray<'_>) -> StateArray<'static> {

@@ -6,9 +6,11 @@ use peridynamics::StaticSolid;
 use sph_shell::StaticShell;
 
 use super::body::Together;
+use super::contact::{Side, TouchingBodies};
 use super::joints::{BetweenBodies, SetsOfBodies};
 use super::layout::Layout;
 use super::parts::{Balanced, BalancedPart, Marched, MarchedPart};
+use super::touched::{contacts, side};
 use crate::bodies::beside::{identity, judge_each, lines};
 use crate::bodies::body::Body;
 use crate::bodies::galerkin::build::galerkin_made;
@@ -43,9 +45,11 @@ pub(in crate::bodies) fn together_model(
     bodies: &[BodyInScene<'_>],
     threads: usize,
 ) -> Result<Model, SceneError> {
-    let mut made = Vec::new();
+    let (mut made, mut sides) = (Vec::new(), Vec::new());
     for body in bodies {
-        made.push((body.name, part(body, threads)?));
+        let (part, side) = part(body, threads)?;
+        made.push((body.name, part));
+        sides.extend(side);
     }
     let mut layout = Layout::default();
     let mut sets = SetsOfBodies::new();
@@ -54,6 +58,7 @@ pub(in crate::bodies) fn together_model(
         sets.insert((*name).to_string(), std::mem::take(&mut part.sets));
     }
     let joints = BetweenBodies::find(scene, &layout, &sets)?;
+    let contacts = contacts(scene, &layout, &sides)?;
     let own = made.iter_mut().map(|(_, part)| std::mem::take(&mut part.probes)).collect();
     let probes = probes(scene, &layout, own)?;
     let warned = |(name, part): &mut (&str, BuiltBody<Part>)| -> Vec<Warning> {
@@ -61,7 +66,7 @@ pub(in crate::bodies) fn together_model(
         own.map(|own| Warning::new(own.kind, format!("{name}: {}", own.message))).collect()
     };
     let warnings = made.iter_mut().flat_map(warned).collect();
-    let description = described(scene, &made, joints.as_ref());
+    let description = described(scene, &made, joints.as_ref(), &contacts);
     refuse_modes(scene, description.dof)?;
     let memory = made.iter().fold(Memory::default(), |sum, (_, part)| Memory {
         needed: sum.needed + part.memory.needed,
@@ -88,13 +93,18 @@ pub(in crate::bodies) fn together_model(
         });
         layout.forces = forces.collect();
     }
+    layout.contacts = usize::from(joints.is_some())..usize::from(joints.is_some()) + contacts.len();
     let body = match &scene.analysis {
         Analysis::Explicit(_) => {
-            let system = Marched::new(marched, joints.map(|joints| Box::new(joints) as _));
+            let springs = joints.map(|joints| Box::new(joints) as Box<dyn explicit_dynamics::Interaction>);
+            let touching = contacts.into_iter().map(|own| Box::new(own) as _);
+            let system = Marched::new(marched, springs.into_iter().chain(touching).collect());
             Ready::Dynamic(Box::new(Together { system, layout }))
         }
         _ => {
-            let system = Balanced::new(balanced, joints.map(|joints| Box::new(joints) as _));
+            let springs = joints.map(|joints| Box::new(joints) as Box<dyn implicit_statics::Interaction>);
+            let touching = contacts.into_iter().map(|own| Box::new(own) as _);
+            let system = Balanced::new(balanced, springs.into_iter().chain(touching).collect());
             Ready::Static(Box::new(Together { system, layout }))
         }
     };
@@ -106,7 +116,12 @@ pub(in crate::bodies) fn together_model(
 }
 
 /// What each body is, and what they are together.
-fn described(scene: &Scene, made: &[(&str, BuiltBody<Part>)], joints: Option<&BetweenBodies>) -> Description {
+fn described(
+    scene: &Scene,
+    made: &[(&str, BuiltBody<Part>)],
+    joints: Option<&BetweenBodies>,
+    contacts: &[TouchingBodies],
+) -> Description {
     let each = || made.iter().map(|(_, part)| &part.description);
     let bodies: BTreeMap<String, Description> =
         made.iter().map(|(name, part)| ((*name).to_string(), part.description.clone())).collect();
@@ -114,6 +129,7 @@ fn described(scene: &Scene, made: &[(&str, BuiltBody<Part>)], joints: Option<&Be
     let bytes: f64 = each().map(|body| body.bytes_per_particle * body.particles as f64).sum();
     let mut modelled = lines(bodies.iter(), |body| &body.modelled);
     modelled.extend(joints.map(BetweenBodies::line));
+    modelled.extend(contacts.iter().map(TouchingBodies::line));
     let way = if matches!(scene.analysis, Analysis::Explicit(_)) { "one clock" } else { "one balance" };
     Description {
         kind: "several",
@@ -130,29 +146,32 @@ fn described(scene: &Scene, made: &[(&str, BuiltBody<Part>)], joints: Option<&Be
     }
 }
 
-/// Builds one of the bodies.
-fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<BuiltBody<Part>, SceneError> {
+/// Builds one of the bodies, with its surface where a contact names it.
+fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<(BuiltBody<Part>, Option<Side>), SceneError> {
     let marched = matches!(scene.analysis, Analysis::Explicit(_));
-    match scene.body {
+    let part = match scene.body {
         BodyScene::Shell(shell) => {
             let made = shell_made(&ShellInScene::new(scene, shell), threads, None)?;
-            Ok(made.map(|shell| match marched {
+            let side = side(scene.scene, scene.name, &made.body)?;
+            let part = made.map(|shell| match marched {
                 true => Part::Marched(Box::new(shell)),
                 false => Part::Balanced(Box::new(StaticShell::new(shell))),
-            }))
+            });
+            return Ok((part, side));
         }
         BodyScene::Solid(solid) => match solid.galerkin() {
             Some(options) => {
                 let made = galerkin_made(scene, solid, options, threads)?;
-                Ok(made.map(|solid| Part::Balanced(Box::new(solid))))
+                made.map(|solid| Part::Balanced(Box::new(solid)))
             }
-            None => Ok(solid_made(scene, solid, threads, false)?.map(|solid| match marched {
+            None => solid_made(scene, solid, threads, false)?.map(|solid| match marched {
                 true => Part::Marched(Box::new(solid)),
                 false => Part::Balanced(Box::new(StaticSolid::new(solid))),
-            })),
+            }),
         },
-        BodyScene::Fluid(_) | BodyScene::Walls(_) => Err(not_a(scene, "shell")),
-    }
+        BodyScene::Fluid(_) | BodyScene::Walls(_) => return Err(not_a(scene, "shell")),
+    };
+    Ok((part, None))
 }
 
 /// The columns in the order of the scene; `own` are those of each body.

@@ -33,7 +33,7 @@ impl explicit_dynamics::Interaction for BetweenBodies {
         self.springs.evaluate(places, forces)
     }
 
-    fn resist(&self, motion: &[[f64; 3]], forces: &mut [[f64; 3]]) {
+    fn resist(&self, _places: &[[f64; 3]], motion: &[[f64; 3]], forces: &mut [[f64; 3]]) {
         self.springs.resist(motion, forces);
     }
 
@@ -55,7 +55,7 @@ impl implicit_statics::Interaction for BetweenBodies {
         self.springs.evaluate(places, forces)
     }
 
-    fn stiffness(&self, blocks: &mut [[[f64; 3]; 3]]) {
+    fn stiffness(&self, _places: &[[f64; 3]], blocks: &mut [[[f64; 3]; 3]]) {
         self.springs.stiffness(blocks);
     }
 }

@@ -17,6 +17,8 @@ pub(super) struct Layout {
     pub points: Vec<Range<usize>>,
     /// Of each its part of [`crate::StaticBody::forces`]; empty where no linear answer is sought.
     pub forces: Vec<Range<usize>>,
+    /// Which of the interactions are contacts.
+    pub contacts: Range<usize>,
     /// Particles at rest, all bodies one behind the other \[L\].
     pub rest: Vec<Vec3>,
     /// Cells of all, by these numbers.

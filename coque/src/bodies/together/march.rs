@@ -29,6 +29,10 @@ impl Dynamics for Together<Marched> {
         self.system.stable_step(safety)
     }
 
+    fn shortened(&mut self, stable: f64, safety: f64) -> f64 {
+        self.system.shortened(stable, safety)
+    }
+
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
         self.system.within_bounds(bounds)
     }

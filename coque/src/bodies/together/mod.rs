@@ -7,7 +7,9 @@
 mod balance;
 mod body;
 pub(super) mod build;
+mod contact;
 mod joints;
 mod layout;
 mod march;
 mod parts;
+mod touched;

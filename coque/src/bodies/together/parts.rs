@@ -1,5 +1,7 @@
 //! What is asked of a body beside others, and of all of them whatever they are solved by.
 
+use sph_core::Vec3;
+
 use crate::bodies::body::{Body, DynamicBody, StaticBody};
 
 /// A body that is marched beside others.
@@ -24,6 +26,15 @@ pub(super) trait Parts: Send {
 
     /// The same, to put them into other states.
     fn each_mut(&mut self) -> Vec<&mut dyn Body>;
+
+    /// What an interaction last exerted on a particle of a body \[F\].
+    fn force_on(&self, interaction: usize, body: usize, particle: usize) -> Vec3;
+
+    /// What each interaction keeps with a state.
+    fn kept(&self) -> Vec<Vec<f64>>;
+
+    /// Takes that up; false if it is that of others.
+    fn take_up(&mut self, kept: &[&[f64]]) -> bool;
 }
 
 impl Parts for Marched {
@@ -34,6 +45,18 @@ impl Parts for Marched {
     fn each_mut(&mut self) -> Vec<&mut dyn Body> {
         self.systems_mut().iter_mut().map(|part| part.as_mut() as &mut dyn Body).collect()
     }
+
+    fn force_on(&self, interaction: usize, body: usize, particle: usize) -> Vec3 {
+        Marched::force_on(self, interaction, body, particle as u32).into()
+    }
+
+    fn kept(&self) -> Vec<Vec<f64>> {
+        Marched::kept(self)
+    }
+
+    fn take_up(&mut self, kept: &[&[f64]]) -> bool {
+        Marched::take_up(self, kept)
+    }
 }
 
 impl Parts for Balanced {
@@ -43,5 +66,17 @@ impl Parts for Balanced {
 
     fn each_mut(&mut self) -> Vec<&mut dyn Body> {
         self.systems_mut().iter_mut().map(|part| part.as_mut() as &mut dyn Body).collect()
+    }
+
+    fn force_on(&self, interaction: usize, body: usize, particle: usize) -> Vec3 {
+        Balanced::force_on(self, interaction, body, particle as u32).into()
+    }
+
+    fn kept(&self) -> Vec<Vec<f64>> {
+        Balanced::kept(self)
+    }
+
+    fn take_up(&mut self, kept: &[&[f64]]) -> bool {
+        Balanced::take_up(self, kept)
     }
 }

@@ -1,0 +1,346 @@
+//! Two shells that may touch: from the scene's words to what acts between systems.
+
+use contact::{Law, Mesh, Moving, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
+use explicit_dynamics::{OutOfBounds, OutOfRange, Places};
+use nalgebra::Matrix3;
+use sph_core::Vec3;
+
+/// How much farther than they touch parts are listed, over the lesser spacing.
+const SKIN: f64 = 0.3;
+
+/// A shell as another touches it.
+#[derive(Clone)]
+pub(super) struct Side {
+    /// Its name.
+    pub name: String,
+    /// Its number among the bodies.
+    pub body: usize,
+    /// Its surface.
+    pub mesh: Mesh,
+    /// Its thickness \[L\].
+    pub thickness: f64,
+    /// Stiffness of contact with a rigid tool \[F/L³\].
+    pub stiffness: f64,
+    /// Mean distance of its particles \[L\].
+    pub spacing: f64,
+    /// Where its particles are at rest \[L\].
+    pub rest: Vec<Vec3>,
+}
+
+/// How two shells touch, as their scene says it.
+#[derive(Clone, Copy)]
+pub(super) struct Manner {
+    /// The law.
+    pub law: Law,
+    /// Factor on the stiffness.
+    pub factor: f64,
+    /// Whether edges push each other apart: in marches.
+    pub edges: bool,
+}
+
+/// The contact of two shells, places being the particles of the first and then those of the second.
+#[derive(Clone)]
+pub(super) struct TouchingBodies {
+    names: [String; 2],
+    /// Particles of each body, those of others empty.
+    particles: Vec<Vec<u32>>,
+    /// Number of each particle of a side among its places; of those without a face none.
+    numbers: [Vec<u32>; 2],
+    /// Particle of each place, the side before it.
+    nodes: Vec<Node>,
+    /// Particles of both sides at rest \[L\].
+    rest: [Vec<Vec3>; 2],
+    contact: SurfaceContact,
+    touch: SurfaceTouch,
+    pace: Option<Pace>,
+    /// Whether the contact was looked at where it is evaluated next.
+    looked: bool,
+    /// Pairs of places off the diagonal that share a block, ascending; those of this list.
+    pairs: Vec<[usize; 2]>,
+    listed: u64,
+}
+
+impl TouchingBodies {
+    /// The contact of two shells of so many bodies: the first of them comes first, whichever the scene names first.
+    pub fn new(sides: [Side; 2], bodies: usize, manner: Manner) -> Self {
+        let [a, b] = if sides[0].body < sides[1].body {
+            sides
+        } else {
+            let [a, b] = sides;
+            [b, a]
+        };
+        let own = |side: &Side| {
+            let mut all: Vec<u32> = side
+                .mesh
+                .surface()
+                .vertices()
+                .iter()
+                .flat_map(|vertex| vertex.nodes().iter().copied())
+                .collect();
+            all.sort_unstable();
+            all.dedup();
+            all
+        };
+        let touched = [own(&a), own(&b)];
+        let mut first = 0;
+        let numbers = [0, 1].map(|side| {
+            let count = touched[side].last().map_or(0, |&last| last as usize + 1);
+            let mut numbers = vec![u32::MAX; count];
+            for (at, &particle) in touched[side].iter().enumerate() {
+                numbers[particle as usize] = (first + at) as u32;
+            }
+            first += touched[side].len();
+            numbers
+        });
+        let nodes = [0, 1].iter().flat_map(|&side| touched[side].iter().map(move |&a| (side, a))).collect();
+        let mut particles = vec![Vec::new(); bodies];
+        let [of_a, of_b] = touched;
+        (particles[a.body], particles[b.body]) = (of_a, of_b);
+        let touching = Touching {
+            distance: 0.5 * (a.thickness + b.thickness),
+            law: manner.law,
+            stiffness: 0.5 * a.stiffness.min(b.stiffness) * manner.factor,
+            skin: SKIN * a.spacing.min(b.spacing),
+            edges: manner.edges,
+        };
+        let contact = SurfaceContact::between([a.mesh, b.mesh], [&a.rest, &b.rest], touching);
+        let names = [a.name, b.name];
+        let (touch, pairs) = (SurfaceTouch::default(), Vec::new());
+        let rest = [a.rest, b.rest];
+        Self {
+            names,
+            particles,
+            numbers,
+            nodes,
+            rest,
+            contact,
+            touch,
+            pace: None,
+            looked: false,
+            pairs,
+            listed: 0,
+        }
+    }
+
+    /// A line for the summary.
+    pub fn line(&self) -> String {
+        let [a, b] = &self.names;
+        let Touching { stiffness, distance, .. } = *self.contact.touching();
+        format!(
+            "contact of {a} with {b}: stiffness {stiffness:.3e} by area, mid-surfaces {distance:.4e} apart"
+        )
+    }
+
+    /// Depth of faces in each other at rest, over the distance of mid-surfaces, with the two nearest places.
+    pub fn depth_at_rest(&mut self) -> Option<(f64, [Vec3; 2])> {
+        let rest = &self.rest;
+        let at = |(side, a): Node| rest[side][a as usize];
+        self.contact.look(at);
+        self.contact.deepest(at).map(|found| (found.depth, found.places))
+    }
+
+    /// Distance at which mid-surfaces touch \[L\].
+    pub fn distance(&self) -> f64 {
+        self.contact.touching().distance
+    }
+
+    /// Finds what touches at places.
+    fn look(&mut self, places: &[[f64; 3]]) {
+        let numbers = &self.numbers;
+        self.touch = self.contact.look(|node| place(numbers, places, node));
+    }
+
+    /// Reads the pairs that share a block from the lists.
+    fn read_pairs(&mut self) {
+        let Self { numbers, contact, pairs, .. } = self;
+        pairs.clear();
+        contact.pattern(|a, b| {
+            let [a, b] = [a, b].map(|node| number(numbers, node));
+            if a < b {
+                pairs.push([a, b]);
+            }
+        });
+        pairs.sort_unstable();
+        pairs.dedup();
+        self.listed = self.contact.lists();
+    }
+
+    fn evaluated(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64 {
+        if !std::mem::take(&mut self.looked) {
+            self.look(places);
+        }
+        forces.fill([0.0; 3]);
+        let numbers = &self.numbers;
+        self.contact.forces(|node, force| {
+            let sum = &mut forces[number(numbers, node)];
+            (0..3).for_each(|k| sum[k] += force[k]);
+        });
+        self.touch.energy
+    }
+
+    /// Hands the second derivatives of the energy between places to `put`, at the places last evaluated.
+    fn second(&self, places: &[[f64; 3]], mut put: impl FnMut(usize, usize, &Matrix3<f64>)) {
+        let numbers = &self.numbers;
+        self.contact.tangent(
+            |node| place(numbers, places, node),
+            |a, b, change| put(number(numbers, a), number(numbers, b), &-change),
+        );
+    }
+}
+
+impl explicit_dynamics::Interaction for TouchingBodies {
+    fn particles(&self) -> Vec<Vec<u32>> {
+        self.particles.clone()
+    }
+
+    fn evaluate(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64 {
+        self.evaluated(places, forces)
+    }
+
+    fn resist(&self, at: &[[f64; 3]], motion: &[[f64; 3]], forces: &mut [[f64; 3]]) {
+        forces.fill([0.0; 3]);
+        self.second(at, |a, b, block| {
+            let moved = block * Vec3::from(motion[b]);
+            (0..3).for_each(|k| forces[a][k] += moved[k]);
+        });
+    }
+
+    fn fastest(&self, masses: &[f64]) -> f64 {
+        self.pace_of(masses).room()
+    }
+
+    fn rests(&mut self) -> bool {
+        self.pace.as_mut().is_some_and(Pace::rests)
+    }
+
+    fn shortened(&mut self, stable: f64, safety: f64, now: &Places<'_>) -> f64 {
+        self.look(now.at);
+        self.looked = true;
+        let mut pace = self.pace.take().unwrap_or_else(|| self.pace_of(now.masses));
+        let moving = MovingPlaces { numbers: &self.numbers, now };
+        let step = pace.shortened((&self.contact, &self.touch), stable, safety, &moving);
+        self.pace = Some(pace);
+        step
+    }
+
+    fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        let Some(value) = self.pace.as_ref().and_then(Pace::pressed) else { return Ok(()) };
+        let place = format!("{}, pressed through {}", self.names[0], self.names[1]);
+        let (what, bound) = ("step over the stable one", "a hundredth at least");
+        Err(OutOfRange { place, what, value, bound }.into())
+    }
+
+    fn kept(&self) -> Vec<f64> {
+        let wait = self.pace.as_ref().map(|pace| pace.waits());
+        let listed = self.contact.listed().iter().flatten().flat_map(|x| [x.x, x.y, x.z]);
+        self.contact.listed().first().and(wait).into_iter().chain(listed).collect()
+    }
+
+    fn take_up(&mut self, kept: &[f64], masses: &[f64]) -> bool {
+        self.looked = false;
+        let Some((wait, places)) = kept.split_first() else {
+            self.pace = None;
+            return true;
+        };
+        if !self.take_lists(places) {
+            return false;
+        }
+        let mut pace = self.pace_of(masses);
+        pace.wait(*wait);
+        self.pace = Some(pace);
+        true
+    }
+}
+
+impl implicit_statics::Interaction for TouchingBodies {
+    fn particles(&self) -> Vec<Vec<u32>> {
+        self.particles.clone()
+    }
+
+    fn pairs(&self) -> Vec<[usize; 2]> {
+        (0..self.nodes.len()).map(|a| [a, a]).chain(self.pairs.iter().copied()).collect()
+    }
+
+    fn pairs_changed(&mut self, places: &[[f64; 3]]) -> bool {
+        self.look(places);
+        let changed = self.contact.lists() != self.listed;
+        if changed {
+            self.read_pairs();
+        }
+        changed
+    }
+
+    fn kept(&self) -> Vec<f64> {
+        self.contact.listed().iter().flatten().flat_map(|x| [x.x, x.y, x.z]).collect()
+    }
+
+    fn take_up(&mut self, kept: &[f64]) -> bool {
+        // The next look at the pattern finds other lists than those of the pairs at hand.
+        self.listed = u64::MAX;
+        kept.is_empty() || self.take_lists(kept)
+    }
+
+    fn evaluate(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64 {
+        self.evaluated(places, forces)
+    }
+
+    fn stiffness(&self, at: &[[f64; 3]], blocks: &mut [[[f64; 3]; 3]]) {
+        blocks.fill([[0.0; 3]; 3]);
+        self.second(at, |a, b, change| {
+            let block = match a == b {
+                true => Some(a),
+                false => self.pairs.binary_search(&[a, b]).ok().map(|pair| self.nodes.len() + pair),
+            };
+            let Some(block) = block else { return };
+            for i in 0..3 {
+                (0..3).for_each(|j| blocks[block][i][j] += change[(i, j)]);
+            }
+        });
+    }
+}
+
+impl TouchingBodies {
+    /// Makes the lists that were made where particles were.
+    fn take_lists(&mut self, places: &[f64]) -> bool {
+        let (places, left) = places.as_chunks::<3>();
+        let first = self.contact.meshes()[0].nodes().count();
+        let sides = places.split_at_checked(first).filter(|_| left.is_empty());
+        sides.is_some_and(|(a, b)| self.contact.take_up(&[a, b]))
+    }
+
+    fn pace_of(&self, masses: &[f64]) -> Pace {
+        let numbers = &self.numbers;
+        Pace::new(&self.contact, |node| masses[number(numbers, node)])
+    }
+}
+
+/// Places that move.
+struct MovingPlaces<'a> {
+    numbers: &'a [Vec<u32>; 2],
+    now: &'a Places<'a>,
+}
+
+impl Moving for MovingPlaces<'_> {
+    fn mass(&self, node: Node) -> f64 {
+        self.now.masses[number(self.numbers, node)]
+    }
+
+    fn velocity(&self, node: Node) -> Vec3 {
+        place(self.numbers, self.now.velocities, node)
+    }
+
+    fn greatest_speed(&self) -> f64 {
+        let all = || self.now.velocities.iter().map(|&v| Vec3::from(v));
+        let mean = all().sum::<Vec3>() / self.now.velocities.len().max(1) as f64;
+        all().map(|v| (v - mean).norm_squared()).fold(0.0, f64::max).sqrt()
+    }
+}
+
+/// Number of a node among the places.
+fn number(numbers: &[Vec<u32>; 2], (side, a): Node) -> usize {
+    numbers[side][a as usize] as usize
+}
+
+fn place(numbers: &[Vec<u32>; 2], places: &[[f64; 3]], node: Node) -> Vec3 {
+    Vec3::from(places[number(numbers, node)])
+}
