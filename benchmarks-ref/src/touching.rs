@@ -80,6 +80,17 @@ pub fn wrapped_strips() -> Result<Vec<Wrapped>, ReferenceError> {
     elastica.map(strip).collect()
 }
 
+/// Two equal strips clamped one above the other, the lower one as long as a part λ of the upper, their faces a gap apart: what the upper one exerts on
+/// the lower one, and how far both tips have come, by a force at the upper tip \[B g/L³, g, g\].
+///
+/// `F = (P λ² (3 − λ)/6 − 1)·3/(2λ³)` from the first touch on, at the lower tip alone.
+pub fn two_cantilevers(part: f64, force: f64) -> [f64; 3] {
+    let cube = part * part * part;
+    let arm = part * part * (3.0 - part) / 6.0;
+    let borne = ((force * arm - 1.0) * 1.5 / cube).max(0.0);
+    [borne, force / 3.0 - borne * arm, borne * cube / 3.0]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -91,6 +102,20 @@ mod tests {
             let [height, force] = ["H/R", "P R^2/B"].map(|column| table.number(row, column).unwrap());
             let found = pressed_ring(height);
             assert!((found / force - 1.0).abs() < 1e-7, "{height}: {found} {force}");
+        }
+    }
+
+    #[test]
+    fn two_cantilevers_are_those_of_the_table() {
+        let table = reference("contact_two_cantilevers").unwrap();
+        for row in 0..table.rows.len() {
+            let number = |column: &str| table.number(row, column).unwrap();
+            let found = two_cantilevers(number("lambda"), number("P"));
+            let wanted = ["F", "tip deflection of the upper", "tip deflection of the lower"].map(number);
+            for (found, wanted) in found.into_iter().zip(wanted) {
+                // The table has nine digits of forces, four of deflections.
+                assert!((found - wanted).abs() < 6e-4, "row {row}: {found} {wanted}");
+            }
         }
     }
 
