@@ -1,6 +1,5 @@
 //! The shell: its motion, its forces, and what can be read from it.
 
-use contact::Touch;
 use explicit_dynamics::{Exert, Instant, Push};
 use shell_kinematics::StrainMeasure;
 use sph_core::Vec3;
@@ -218,11 +217,6 @@ impl Shell {
         self.loading.tools.take_up(tools) && self.points.sections.take_up(points)
     }
 
-    /// Energy that friction on tools has taken at a particle \[F L\], until the last commit.
-    pub fn friction_loss(&self, particle: usize) -> f64 {
-        self.loading.tools.lost_at(particle)
-    }
-
     /// Internal energy found by the last evaluation that was asked for it \[F L\]; of sections with memory what they have dissipated is in it.
     pub fn stored_energy(&self) -> f64 {
         self.evaluation.internal_energy
@@ -336,37 +330,6 @@ impl Shell {
             return Some(BoundViolation { place, what, value: depth, bound: "below one" });
         }
         self.points.first_bound_violation(&self.reference, &self.motion.state)
-    }
-
-    /// Evaluates loads and tools at an instant; what each tool and the shell do to each other there.
-    pub fn touch(&mut self, at: Instant) -> &[Touch] {
-        self.evaluate_external(at);
-        self.touches()
-    }
-
-    /// Least gaps between its faces and those of each tool at an instant \[L\], negative where they are in each other.
-    pub fn tool_gaps(&self, at: Instant) -> Vec<f64> {
-        self.loading.tools.least_gaps(at, self.loading.case, &self.motion.state)
-    }
-
-    /// Whether there are tools that it may touch.
-    pub fn has_tools(&self) -> bool {
-        !self.loading.tools.is_empty()
-    }
-
-    /// Force of all tools on a particle \[F\], for the forces last evaluated.
-    pub fn tool_force(&self, particle: usize) -> Vec3 {
-        self.loading.tools.force(particle)
-    }
-
-    /// Stiffness of the contact with each tool, of a unit of area \[F/L³\].
-    pub fn tool_stiffness(&self) -> impl Iterator<Item = f64> {
-        self.loading.tools.stiffnesses()
-    }
-
-    /// What each tool and the shell do to each other, for the forces last evaluated, in the order in which tools were given.
-    pub fn touches(&self) -> &[Touch] {
-        self.loading.tools.touches()
     }
 
     /// The derivatives of all loads at a level, of the springs and of tools, block by block.

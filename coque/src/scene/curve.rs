@@ -84,11 +84,12 @@ impl Probe {
 
 impl Take {
     /// What is taken where nothing is said: the sum of forces, moments and energies that add up, the largest of von Mises'
-    /// stress, else the mean.
+    /// stress, the least of gaps, else the mean.
     pub fn usual(of: Measured) -> Self {
         match of {
             Measured::Reaction
             | Measured::ContactForce
+            | Measured::ContactMoment
             | Measured::FractureEnergy
             | Measured::FrictionLoss
             | Measured::Force
@@ -97,6 +98,7 @@ impl Take {
             | Measured::Energy
             | Measured::Flux => Self::Sum,
             Measured::VonMises => Self::Max,
+            Measured::ContactGap => Self::Min,
             _ => Self::Mean,
         }
     }
@@ -114,6 +116,10 @@ pub enum Measured {
     Reaction,
     /// Component of the force that its tools exert on a shell \[F\].
     ContactForce,
+    /// Component of the moment that its tools exert on a shell about a point \[F L\].
+    ContactMoment,
+    /// Gap between the face of a shell, at its particles, and that of the nearest tool, negative where they are in each other \[L\].
+    ContactGap,
     /// Energy that friction on tools has taken of a shell \[F L\].
     FrictionLoss,
     /// Component of the moment that the supports of a shell exert about a point \[F L\].
@@ -172,6 +178,8 @@ impl Measured {
             Self::Position => "position",
             Self::Reaction => "reaction",
             Self::ContactForce => "contact-force",
+            Self::ContactMoment => "contact-moment",
+            Self::ContactGap => "contact-gap",
             Self::FrictionLoss => "friction-loss",
             Self::ReactionMoment => "reaction-moment",
             Self::VonMises => "von-mises",
@@ -200,13 +208,16 @@ impl Measured {
     /// What its values are, where nothing is by depth.
     pub fn quantity(self) -> Quantity {
         match self {
-            Self::Displacement | Self::Position | Self::Level | Self::WetLength => Quantity::Length,
+            Self::Displacement | Self::Position | Self::ContactGap | Self::Level | Self::WetLength => {
+                Quantity::Length
+            }
             Self::Reaction | Self::ContactForce | Self::Force => Quantity::Force,
             Self::Rotation => Quantity::Angle,
             Self::Director | Self::Damage | Self::Pieces => Quantity::Ratio,
             Self::Velocity => Quantity::Speed,
             Self::FractureEnergy
             | Self::FrictionLoss
+            | Self::ContactMoment
             | Self::Moment
             | Self::ReactionMoment
             | Self::Energy => Quantity::Energy,
@@ -225,6 +236,7 @@ impl Measured {
             Self::Damage
                 | Self::FractureEnergy
                 | Self::FrictionLoss
+                | Self::ContactGap
                 | Self::Pieces
                 | Self::StrainEnergy
                 | Self::VonMises

@@ -95,7 +95,7 @@ pub(super) fn check_measured_alike(body: &BodyScene, s: &Scope<'_>, probe: &OnSe
         Err(SceneError::Choice(s.fault(&probe.at(key), value, bound, repair)))
     };
     if let Some(about) = &probe.about {
-        if !matches!(probe.of, Measured::Moment | Measured::ReactionMoment) {
+        if !matches!(probe.of, Measured::Moment | Measured::ReactionMoment | Measured::ContactMoment) {
             let bound = format!("none: {word} is about no point");
             return refuse("about", "a point", &bound, "remove `about`, or measure a moment");
         }
@@ -137,9 +137,10 @@ fn check_unit(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
 /// What can be measured on the body.
 fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
-        BendingMoment, ContactForce, Damage, Density, Director, Displacement, Energy, Flux, Force,
-        FractureEnergy, FrictionLoss, Level, MembraneForce, Moment, Pieces, Position, Pressure, Reaction,
-        ReactionMoment, Rotation, ShearForce, StrainEnergy, Stress, Velocity, VonMises, WetLength,
+        BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director, Displacement,
+        Energy, Flux, Force, FractureEnergy, FrictionLoss, Level, MembraneForce, Moment, Pieces, Position,
+        Pressure, Reaction, ReactionMoment, Rotation, ShearForce, StrainEnergy, Stress, Velocity, VonMises,
+        WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
@@ -159,7 +160,7 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
         known.extend([Rotation, Director]);
     }
     if scene.as_shell().is_some_and(|shell| !shell.tools.is_empty()) {
-        known.push(ContactForce);
+        known.extend([ContactForce, ContactMoment, ContactGap]);
     }
     if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_rough)) {
         known.push(FrictionLoss);
