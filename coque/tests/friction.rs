@@ -42,8 +42,8 @@ fn broken_friction() {
     insta::assert_snapshot!(said.concat());
 }
 
-/// What friction lost, what is stored and what moves is the work of the loads, to 6e-5 of it measured; the loss is μ N times the way, but for
-/// the ramp of the weight.
+/// It is .12 % too fast as it swings on its contact. What friction lost, what is stored and what moves is the work of the loads, to 6e-5 of it
+/// measured; the loss is μ N times the way, but for the ramp of the weight.
 #[test]
 fn a_plate_slides_down_an_incline_as_coulomb_says() {
     let outcome = done(run(INCLINE, &[]));
@@ -53,7 +53,7 @@ fn a_plate_slides_down_an_incline_as_coulomb_says() {
     let pace = (v[b] - v[a]) / (time[b] - time[a]);
     let exact = 10.0 * (0.5 - 0.3 * 0.75_f64.sqrt());
     println!("{pace:.4} for {exact:.4}");
-    assert!((pace / exact - 1.0).abs() < 0.01, "{pace} {exact}");
+    assert!((pace / exact - 1.0).abs() < 4e-3, "{pace} {exact}");
     let closed = last(&outcome, "kinetic") + last(&outcome, "internal") + last(&outcome, "lost");
     let open = closed / last(&outcome, "external") - 1.0;
     assert!(open.abs() < 2e-4, "{open:e}");
@@ -62,16 +62,16 @@ fn a_plate_slides_down_an_incline_as_coulomb_says() {
     assert!((last(&outcome, "dissipated") / last(&outcome, "lost") - 1.0).abs() < 1e-3);
 }
 
-/// Where friction holds it, it does not move by more than a fiftieth of a cell: contact that swings lets it creep by 4e-3 of one in a second.
+/// Where friction holds it, it stays, but contact that swings lets it creep by 4e-3 of a cell in a second.
 #[test]
 fn a_plate_stays_on_a_gentle_slope() {
     let outcome = done(run(INCLINE, &[GENTLE]));
     let way = column(&outcome, "u").into_iter().fold(0.0_f64, |most, u| most.max(u.abs()));
     println!("{:.1e} of a cell", 6.0 * way);
-    assert!(6.0 * way < 2e-2, "{way:e}");
+    assert!(6.0 * way < 1.2e-2, "{way:e}");
 }
 
-/// Euler's formula, and the loss of a drum that turns on: difference of the tensions times the way of its face.
+/// Euler's formula, .45 % off with 60 cells, and the loss of a drum that turns on: difference of the tensions times the way of its face.
 #[test]
 fn a_belt_over_a_drum_is_drawn_as_euler_says() {
     let coarse = [("geometry.cylinder.particles", "[61, 3]"), ("tools[0].cylinder.radius", "99.86573")];
@@ -86,12 +86,12 @@ fn a_belt_over_a_drum_is_drawn_as_euler_says() {
         "{ratio:.4} for {exact:.4}, loss {loss:.1e}, torque {torque:.1e}, gap {:.1e}",
         last(&outcome, "gap")
     );
-    assert!(torque.abs() < 2e-3, "{torque:e}");
+    assert!(torque.abs() < 4e-4, "{torque:e}");
     // Cells touch with their middles: the particles stand off by their sag, .0343, less what the belt is drawn in by.
     let gap = last(&outcome, "gap");
     assert!(gap > 0.0 && gap < 0.0343, "{gap}");
     assert!((ratio / exact - 1.0).abs() < 0.01, "{ratio} {exact}");
-    assert!(loss.abs() < 2e-3, "{loss:e}");
+    assert!(loss.abs() < 1.3e-3, "{loss:e}");
     assert!(outcome.summary.record.warnings.is_empty(), "{:?}", outcome.summary.record.warnings);
 }
 

@@ -15,7 +15,7 @@ const CELL_SIZE: f64 = 1.0 / 6.0;
 const FRICTION: f64 = 0.3;
 
 /// Errors of the acceleration \[%\].
-const MEASURED: Measured = Measured(&[(CELL, &[("30°", 0.05), ("20°", 0.2)])]);
+const MEASURED: Measured = Measured(&[(CELL, &[("30°", 0.12), ("20°", 0.16)])]);
 /// Ways at rest \[% of a cell\].
 const AT_REST: Measured = Measured(&[(CELL, &[("15°", 0.37)])]);
 
