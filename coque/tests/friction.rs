@@ -42,7 +42,7 @@ fn broken_friction() {
     insta::assert_snapshot!(said.concat());
 }
 
-/// It is .12 % too fast as it swings on its contact. What friction lost, what is stored and what moves is the work of the loads, to 6e-5 of it
+/// It is .14 % too fast as it swings on its contact. What friction lost, what is stored and what moves is the work of the loads, to 6e-5 of it
 /// measured; the loss is μ N times the way, but for the ramp of the weight.
 #[test]
 fn a_plate_slides_down_an_incline_as_coulomb_says() {
@@ -62,13 +62,13 @@ fn a_plate_slides_down_an_incline_as_coulomb_says() {
     assert!((last(&outcome, "dissipated") / last(&outcome, "lost") - 1.0).abs() < 1e-3);
 }
 
-/// Where friction holds it, it stays, but contact that swings lets it creep by 4e-3 of a cell in a second.
+/// Where friction holds it, it stays, but contact that swings lets it creep by 1.5e-3 of a cell in .6 s.
 #[test]
 fn a_plate_stays_on_a_gentle_slope() {
     let outcome = done(run(INCLINE, &[GENTLE]));
     let way = column(&outcome, "u").into_iter().fold(0.0_f64, |most, u| most.max(u.abs()));
-    println!("{:.1e} of a cell", 6.0 * way);
-    assert!(6.0 * way < 1.2e-2, "{way:e}");
+    println!("{:.1e} of a cell", 15.0 * way);
+    assert!(15.0 * way < 5e-3, "{way:e}");
 }
 
 /// Euler's formula, .45 % off with 60 cells, and the loss of a drum that turns on: difference of the tensions times the way of its face.

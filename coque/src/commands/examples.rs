@@ -50,7 +50,7 @@ const EXAMPLES: [Example; 51] = [
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
     Example::new("hemisphere", 0.1, include_str!("../../../scenes/hemisphere.toml")),
-    Example::new("incline", 0.3, include_str!("../../../scenes/incline.toml")),
+    Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
     Example::new("open-cylinder", 3.0, include_str!("../../../scenes/open-cylinder.toml")),
     Example::new("panel", 14.0, include_str!("../../../scenes/panel.toml")),
