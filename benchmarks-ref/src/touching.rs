@@ -1,6 +1,6 @@
-//! What touches smooth rigid tools: a ring between plates, a strip on a cylinder, by the inextensible elastica.
+//! What touches rigid tools: a ring between plates, a strip on a cylinder, by the inextensible elastica; friction on an incline and a drum.
 
-use libm::{sin, sqrt};
+use libm::{cos, exp, sin, sqrt};
 
 use crate::catalogue::{Reference, reference};
 use crate::error::ReferenceError;
@@ -91,6 +91,16 @@ pub fn two_cantilevers(part: f64, force: f64) -> [f64; 3] {
     [borne, force / 3.0 - borne * arm, borne * cube / 3.0]
 }
 
+/// Acceleration over that of gravity with which a sheet slides down a slope \[rad\] with a friction; zero where it sticks.
+pub fn incline(friction: f64, slope: f64) -> f64 {
+    (sin(slope) - friction * cos(slope)).max(0.0)
+}
+
+/// Ratio of the tensions of a belt that slips on a drum over an angle \[rad\], by Euler and Eytelwein.
+pub fn capstan(friction: f64, angle: f64) -> f64 {
+    exp(friction * angle)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -116,6 +126,18 @@ mod tests {
                 // The table has nine digits of forces, four of deflections.
                 assert!((found - wanted).abs() < 6e-4, "row {row}: {found} {wanted}");
             }
+        }
+    }
+
+    #[test]
+    fn friction_is_that_of_the_table() {
+        let table = reference("contact_friction_closed_forms").unwrap();
+        for row in 0..table.rows.len() {
+            let [mu, degrees, known] =
+                ["mu", "phi", "a/g or T2/T1"].map(|column| table.number(row, column).unwrap());
+            let law = if table.rows[row][0].as_str() == Some("incline") { incline } else { capstan };
+            let found = law(mu, degrees.to_radians());
+            assert!((found - known).abs() < 1e-8 * known.max(1.0), "{mu} {degrees}: {found} {known}");
         }
     }
 

@@ -88,6 +88,13 @@ impl Surface {
         &self.vertices
     }
 
+    /// The vertex of a particle; none if it has no area.
+    pub(crate) fn of_particle(&self, particle: u32) -> Option<&Vertex> {
+        let particles = &self.vertices[..self.particles];
+        let number = particles.binary_search_by_key(&particle, |vertex| vertex.nodes[0]).ok()?;
+        Some(&particles[number])
+    }
+
     /// Particles, then middles.
     pub(crate) fn kinds(&self) -> [&[Vertex]; 2] {
         let (particles, middles) = self.vertices.split_at(self.particles);
@@ -111,6 +118,8 @@ mod tests {
         for (found, exact) in areas.iter().zip([sixth, 2.0 * sixth, 2.0 * sixth, sixth, sixth, 2.0 * sixth]) {
             assert!((found - exact).abs() < 1e-15, "{areas:?}");
         }
+        assert_eq!(surface.of_particle(4), Some(&surface.vertices()[4]));
+        assert_eq!(surface.of_particle(7), None);
         let middle = surface.vertices()[5];
         assert_eq!((middle.nodes(), middle.share()), (&[0, 1, 2, 3][..], 0.25));
         assert_eq!(middle.place(|a| rest[a as usize]), Vec3::new(0.5, 0.5, 0.0));

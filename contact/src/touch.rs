@@ -57,7 +57,7 @@ impl ToolContact {
         let (mut touch, frame) = (Touch::NONE, ToolFrame::new(&self.tool, pose));
         let mut sticking = friction.map(Friction::begin);
         let sticks = |number: u32| self.stiffness * self.surface.vertices()[number as usize].area;
-        watch.each_near(self, &pose.moved, &at, |number, vertex| {
+        watch.each_near((&self.tool, &self.surface), &pose.moved, &at, |number, vertex| {
             let place = vertex.place(&at);
             let Face { distance, normal } = self.tool.face(&place, &pose.moved);
             let depth = 1.0 - distance / vertex.half;
@@ -89,6 +89,12 @@ impl ToolContact {
     pub fn least_gap(&self, moved: &Vec3, at: impl Fn(u32) -> Vec3) -> f64 {
         let gap = |vertex: &Vertex| self.tool.face(&vertex.place(&at), moved).distance - vertex.half;
         self.surface.vertices().iter().map(gap).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Gap between the faces of surface and tool at a particle \[L\], negative where they are in each other; none of a particle without area.
+    pub fn gap_at(&self, particle: u32, moved: &Vec3, place: &Vec3) -> Option<f64> {
+        let vertex = self.surface.of_particle(particle)?;
+        Some(self.tool.face(place, moved).distance - vertex.half)
     }
 
     /// Hands the derivatives of the force on a particle by the place of another to `put`: `−κ A φ″ ∇g∇gᵀ + κ A D φ′ ∇∇g` of a vertex,

@@ -3,7 +3,7 @@
 use sph_core::Vec3;
 
 use crate::surface::{Surface, Vertex};
-use crate::touch::ToolContact;
+use crate::tool::ToolShape;
 
 /// Vertices of a part.
 const PART: usize = 64;
@@ -59,7 +59,7 @@ impl Watch {
     /// Calls `visit` for every vertex of the parts that are near, with its number, in their order.
     pub(crate) fn each_near(
         &mut self,
-        contact: &ToolContact,
+        (tool, surface): (&ToolShape, &Surface),
         moved: &Vec3,
         at: impl Fn(u32) -> Vec3,
         mut visit: impl FnMut(u32, &Vertex),
@@ -69,9 +69,8 @@ impl Watch {
         }
         self.soonest = f64::INFINITY;
         let mut first = 0;
-        for (part, vertices) in self.parts.iter_mut().zip(parts(&contact.surface)) {
+        for (part, vertices) in self.parts.iter_mut().zip(parts(surface)) {
             if self.way >= part.due {
-                let tool = &contact.tool;
                 let least = match vertices {
                     [first, ..] if first.nodes().len() == 1 => {
                         tool.least_distance(vertices.iter().map(|vertex| at(vertex.corners()[0])), moved)
@@ -107,7 +106,6 @@ mod tests {
     use sph_core::Cell;
 
     use super::*;
-    use crate::{Law, ToolShape};
 
     /// A strip of two hundred cells over a plane: what is passed over, and that nothing is passed over that touches.
     #[test]
@@ -117,16 +115,16 @@ mod tests {
         let at = |a: u32| Vec3::new(f64::from(a / 2), f64::from(a % 2), 0.01 * f64::from(a / 2));
         let rest: Vec<Vec3> = (0..402).map(at).collect();
         let plane = ToolShape::Plane { point: Vec3::zeros(), normal: Vec3::z() };
-        let contact = ToolContact {
-            tool: plane,
-            surface: Surface::new(&cells, &rest, |_| 0.005),
-            law: Law::new(0.0).unwrap_or_else(|| unreachable!()),
-            stiffness: 1.0,
-        };
-        let mut watch = Watch::new(&contact.surface);
+        let surface = Surface::new(&cells, &rest, |_| 0.005);
+        let mut watch = Watch::new(&surface);
         let seen = |watch: &mut Watch, down: f64| {
             let mut count = 0;
-            watch.each_near(&contact, &Vec3::zeros(), |a| at(a) - Vec3::z() * down, |_, _| count += 1);
+            watch.each_near(
+                (&plane, &surface),
+                &Vec3::zeros(),
+                |a| at(a) - Vec3::z() * down,
+                |_, _| count += 1,
+            );
             count
         };
         // The first part of particles and the first of middles, of which each has some at the plane.
@@ -135,7 +133,7 @@ mod tests {
         let parts = watch.parts.len();
         assert_eq!(far(&watch), parts - 2);
         watch.count(0.5);
-        let plain = seen(&mut Watch::new(&contact.surface), 0.5);
+        let plain = seen(&mut Watch::new(&surface), 0.5);
         assert_eq!(seen(&mut watch, 0.5), plain);
         assert!(plain > 128);
         watch.forget();

@@ -299,6 +299,7 @@ mod junction;
 mod loading;
 mod material;
 mod motion;
+mod on_tools;
 mod packs;
 mod points;
 mod reference;

@@ -223,11 +223,6 @@ impl Shell {
         self.loading.tools.take_up(tools) && self.points.sections.take_up(points)
     }
 
-    /// Energy that friction on tools has taken at a particle \[F L\], until the last commit.
-    pub fn friction_loss(&self, particle: usize) -> f64 {
-        self.loading.tools.lost_at(particle)
-    }
-
     /// Internal energy found by the last evaluation that was asked for it \[F L\]; of sections with memory what they have dissipated is in it.
     pub fn stored_energy(&self) -> f64 {
         self.evaluation.internal_energy

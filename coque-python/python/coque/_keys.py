@@ -122,7 +122,7 @@ if TYPE_CHECKING:
     Material_2 = TypedDict("Material_2", {"orthotropic": "Orthotropic"})
     Material_3 = TypedDict("Material_3", {"file": "OfFile"})
     Material: TypeAlias = Union["Material_1", "Material_2", "Material_3"]
-    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
+    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['contact-moment'], Literal['contact-gap'], Literal['friction-loss'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
     Mesh = TypedDict("Mesh", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[float]})
     Modal = TypedDict("Modal", {"modes": int})
     Moved = TypedDict("Moved", {"by": float, "direction": Sequence[float]})
@@ -195,7 +195,7 @@ if TYPE_CHECKING:
     ToolCapsule = TypedDict("ToolCapsule", {"ends": Sequence[Sequence[float]], "radius": float})
     ToolCylinder = TypedDict("ToolCylinder", {"axis": Sequence[float], "point": Sequence[float], "radius": float})
     ToolPlane = TypedDict("ToolPlane", {"normal": Sequence[float], "point": Sequence[float]})
-    ToolScene = TypedDict("ToolScene", {"amplitude": NotRequired["Amplitude"], "capsule": NotRequired["ToolCapsule"], "cylinder": NotRequired["ToolCylinder"], "moved": NotRequired[Sequence[float]], "name": str, "plane": NotRequired["ToolPlane"], "rounding": NotRequired[float], "sphere": NotRequired["ToolSphere"], "stiffness": NotRequired[float]})
+    ToolScene = TypedDict("ToolScene", {"amplitude": NotRequired["Amplitude"], "capsule": NotRequired["ToolCapsule"], "cylinder": NotRequired["ToolCylinder"], "friction": NotRequired[float], "moved": NotRequired[Sequence[float]], "name": str, "plane": NotRequired["ToolPlane"], "rounding": NotRequired[float], "sphere": NotRequired["ToolSphere"], "stiffness": NotRequired[float], "turn": NotRequired[float]})
     ToolSphere = TypedDict("ToolSphere", {"centre": Sequence[float], "radius": float})
     Traction = TypedDict("Traction", {"depth": NotRequired[float], "value": Sequence[float]})
     Transient = TypedDict("Transient", {"damping": NotRequired[float], "duration": float, "record_every": float})

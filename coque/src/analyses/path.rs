@@ -93,7 +93,8 @@ impl Levels {
         };
         let mut iterations = 0;
         let mut row = Vec::new();
-        let path = solver.follow(system, &self.start, &options(control, &self.newton), |point, system| {
+        let options = options(system, control, &self.newton);
+        let path = solver.follow(system, &self.start, &options, |point, system| {
             iterations += if point.step > 0 { point.converged.iterations } else { 0 };
             // Every point is read: rotations are counted on from one reading to the next.
             row = read(run, system, point, iterations);
@@ -185,7 +186,7 @@ pub(super) fn arc_length(wanted: &ArcLength, system: &mut dyn StaticBody, run: &
     });
     let until = wanted.until.map_or(f64::INFINITY, |until| until.get());
     let control = Control::ArcLength { first, range: (f64::NEG_INFINITY, until) };
-    let mut options = options(control, &newton(wanted.tolerance.get(), wanted.iterations.get()));
+    let mut options = options(&*system, control, &newton(wanted.tolerance.get(), wanted.iterations.get()));
     options.steps = wanted.steps.get();
     options.critical.iter_mut().for_each(|critical| critical.branches = wanted.branches);
     let unit = run.force_unit.clone();
@@ -225,10 +226,12 @@ pub(super) fn newton(tolerance: f64, iterations: usize) -> NewtonOptions {
     NewtonOptions { tolerance, iterations, line_search: false, ..NewtonOptions::default() }
 }
 
-pub(super) fn options(control: Control, newton: &NewtonOptions) -> PathOptions {
+/// Critical points are looked for along a path, but where friction slips: there the tangents at its two ends do not lead along it.
+pub(super) fn options(system: &dyn StaticBody, control: Control, newton: &NewtonOptions) -> PathOptions {
     let mut options = PathOptions::new(control);
     options.newton = newton.clone();
-    options.critical = Some(CriticalOptions { tolerance: BRACKET, ..CriticalOptions::default() });
+    options.critical =
+        (!system.slips()).then(|| CriticalOptions { tolerance: BRACKET, ..CriticalOptions::default() });
     options
 }
 

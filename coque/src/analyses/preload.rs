@@ -38,7 +38,7 @@ pub(crate) fn preload(
     };
     let newton =
         NewtonOptions { line_search: system.opens_and_closes(), ..newton(tolerance.get(), iterations.get()) };
-    let options = options(Control::Load { step: 1.0, until: 1.0 }, &newton);
+    let options = options(system, Control::Load { step: 1.0, until: 1.0 }, &newton);
     let mut internal = 0.0;
     let path = follow(system, &Start::default(), &options, |point, system| {
         // Every point is read: rotations are counted on from one reading to the next.

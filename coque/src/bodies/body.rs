@@ -102,6 +102,11 @@ pub trait StaticBody: Body + Equilibrium {
         false
     }
 
+    /// Whether friction slips in it: what a tangent then says of the way ahead holds for a part of the step only.
+    fn slips(&self) -> bool {
+        false
+    }
+
     /// A displacement across which answers are no longer linear \[L\]: the thickness of a shell.
     fn linear_reach(&self) -> f64 {
         1.0

@@ -133,7 +133,7 @@ impl Probe {
             let a = self.particles[i] as usize;
             match self.of {
                 Measured::Rotation => self.turns[i].1,
-                Measured::Moment | Measured::ReactionMoment => {
+                Measured::Moment | Measured::ReactionMoment | Measured::ContactMoment => {
                     moment(body, (self.of, a), &self.direction, &self.about)
                 }
                 of => body.read(of, a, &self.direction),
@@ -159,7 +159,11 @@ impl Probe {
 
 /// Component of the moment about a point, `M·e − (p × F)·e`, from the moment about the origin.
 fn moment(body: &dyn Body, (of, at): (Measured, usize), along: &Vec3, about: &Vec3) -> f64 {
-    let force = if of == Measured::Moment { Measured::Force } else { Measured::Reaction };
+    let force = match of {
+        Measured::Moment => Measured::Force,
+        Measured::ContactMoment => Measured::ContactForce,
+        _ => Measured::Reaction,
+    };
     let force = [Vec3::x(), Vec3::y(), Vec3::z()].map(|axis| body.read(force, at, &axis));
     body.read(of, at, along) - about.cross(&Vec3::from(force)).dot(along)
 }

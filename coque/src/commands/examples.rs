@@ -35,10 +35,11 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 49] = [
+const EXAMPLES: [Example; 51] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
+    Example::new("capstan", 10.0, include_str!("../../../scenes/capstan.toml")),
     Example::new("clamped-cap", 2.0, include_str!("../../../scenes/clamped-cap.toml")),
     Example::new("column-buckling", 0.1, include_str!("../../../scenes/column-buckling.toml")),
     Example::new("crack-branching", 3.0, include_str!("../../../scenes/crack-branching.toml")),
@@ -49,6 +50,7 @@ const EXAMPLES: [Example; 49] = [
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
     Example::new("hemisphere", 0.1, include_str!("../../../scenes/hemisphere.toml")),
+    Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
     Example::new("open-cylinder", 3.0, include_str!("../../../scenes/open-cylinder.toml")),
     Example::new("panel", 14.0, include_str!("../../../scenes/panel.toml")),

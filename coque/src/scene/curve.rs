@@ -85,11 +85,12 @@ impl Probe {
 
 impl Take {
     /// What is taken where nothing is said: the sum of forces, moments and energies that add up, the largest of von Mises'
-    /// stress, else the mean.
+    /// stress, the least of gaps, else the mean.
     pub fn usual(of: Measured) -> Self {
         match of {
             Measured::Reaction
             | Measured::ContactForce
+            | Measured::ContactMoment
             | Measured::FractureEnergy
             | Measured::FrictionLoss
             | Measured::Force
@@ -98,6 +99,7 @@ impl Take {
             | Measured::Energy
             | Measured::Flux => Self::Sum,
             Measured::VonMises => Self::Max,
+            Measured::ContactGap => Self::Min,
             _ => Self::Mean,
         }
     }
@@ -115,6 +117,10 @@ pub enum Measured {
     Reaction,
     /// Component of the force that its tools, and a shell that touches itself, exert on it \[F\]; of all of a shell its own forces cancel.
     ContactForce,
+    /// Component of the moment that its tools exert on a shell about a point \[F L\].
+    ContactMoment,
+    /// Gap between the face of a shell, at its particles, and that of the nearest tool, negative where they are in each other \[L\].
+    ContactGap,
     /// Energy that friction on tools has taken of a shell \[F L\].
     FrictionLoss,
     /// Component of the moment that the supports of a shell exert about a point \[F L\].
@@ -173,6 +179,8 @@ impl Measured {
             Self::Position => "position",
             Self::Reaction => "reaction",
             Self::ContactForce => "contact-force",
+            Self::ContactMoment => "contact-moment",
+            Self::ContactGap => "contact-gap",
             Self::FrictionLoss => "friction-loss",
             Self::ReactionMoment => "reaction-moment",
             Self::VonMises => "von-mises",
@@ -201,13 +209,16 @@ impl Measured {
     /// What its values are, where nothing is by depth.
     pub fn quantity(self) -> Quantity {
         match self {
-            Self::Displacement | Self::Position | Self::Level | Self::WetLength => Quantity::Length,
+            Self::Displacement | Self::Position | Self::ContactGap | Self::Level | Self::WetLength => {
+                Quantity::Length
+            }
             Self::Reaction | Self::ContactForce | Self::Force => Quantity::Force,
             Self::Rotation => Quantity::Angle,
             Self::Director | Self::Damage | Self::Pieces => Quantity::Ratio,
             Self::Velocity => Quantity::Speed,
             Self::FractureEnergy
             | Self::FrictionLoss
+            | Self::ContactMoment
             | Self::Moment
             | Self::ReactionMoment
             | Self::Energy => Quantity::Energy,
@@ -226,6 +237,7 @@ impl Measured {
             Self::Damage
                 | Self::FractureEnergy
                 | Self::FrictionLoss
+                | Self::ContactGap
                 | Self::Pieces
                 | Self::StrainEnergy
                 | Self::VonMises

@@ -166,6 +166,13 @@ impl Tools {
         self.forces.get(particle).map_or_else(Vec3::zeros, |row| Vec3::new(row[0], row[1], row[2]))
     }
 
+    /// Gap between the faces of the shell and of the nearest tool at a particle, where tools stood as forces were last evaluated \[L\].
+    pub fn gap_at(&self, particle: usize, state: &[Row]) -> f64 {
+        let (a, at) = (particle as u32, place(state)(particle as u32));
+        let gap = |tool: &Touched| tool.contact.gap_at(a, &tool.stood, &at);
+        self.tools.iter().filter_map(gap).fold(f64::INFINITY, f64::min)
+    }
+
     /// Stiffness of each tool.
     pub fn stiffnesses(&self) -> impl Iterator<Item = f64> {
         self.tools.iter().map(|tool| tool.contact.stiffness)

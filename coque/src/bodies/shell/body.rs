@@ -31,6 +31,8 @@ impl Body for Shell {
             Measured::Displacement => self.displacement(a).dot(along),
             Measured::Position => self.position(a).dot(along),
             Measured::Reaction => self.reaction(a).dot(along),
+            Measured::ContactMoment => self.position(a).cross(&self.tool_force(a)).dot(along),
+            Measured::ContactGap => self.tool_gap(a),
             Measured::FrictionLoss => self.friction_loss(a),
             Measured::ContactForce => self.contact_force(a).dot(along),
             Measured::Director | Measured::Rotation => self.director(a).dot(along),
@@ -155,6 +157,10 @@ impl<S: DerefMut<Target = Shell> + Send> StaticBody for StaticShell<S> {
 
     fn opens_and_closes(&self) -> bool {
         self.shell().may_touch()
+    }
+
+    fn slips(&self) -> bool {
+        self.shell().has_friction()
     }
 
     fn linear_reach(&self) -> f64 {

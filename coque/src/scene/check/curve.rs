@@ -95,7 +95,7 @@ pub(super) fn check_measured_alike(body: &BodyScene, s: &Scope<'_>, probe: &OnSe
         Err(SceneError::Choice(s.fault(&probe.at(key), value, bound, repair)))
     };
     if let Some(about) = &probe.about {
-        if !matches!(probe.of, Measured::Moment | Measured::ReactionMoment) {
+        if !matches!(probe.of, Measured::Moment | Measured::ReactionMoment | Measured::ContactMoment) {
             let bound = format!("none: {word} is about no point");
             return refuse("about", "a point", &bound, "remove `about`, or measure a moment");
         }
@@ -141,9 +141,10 @@ fn check_unit(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
 /// What can be measured on the body.
 fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
-        BendingMoment, ContactForce, Damage, Density, Director, Displacement, Energy, Flux, Force,
-        FractureEnergy, FrictionLoss, Level, MembraneForce, Moment, Pieces, Position, Pressure, Reaction,
-        ReactionMoment, Rotation, ShearForce, StrainEnergy, Stress, Velocity, VonMises, WetLength,
+        BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director, Displacement,
+        Energy, Flux, Force, FractureEnergy, FrictionLoss, Level, MembraneForce, Moment, Pieces, Position,
+        Pressure, Reaction, ReactionMoment, Rotation, ShearForce, StrainEnergy, Stress, Velocity, VonMises,
+        WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
@@ -164,6 +165,9 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     }
     if scene.may_touch() {
         known.push(ContactForce);
+    }
+    if scene.as_shell().is_some_and(|shell| !shell.tools.is_empty()) {
+        known.extend([ContactMoment, ContactGap]);
     }
     if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_rough)) {
         known.push(FrictionLoss);

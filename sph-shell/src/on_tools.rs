@@ -1,0 +1,55 @@
+//! What a shell and the tools that it may touch do to each other, to be read.
+
+use contact::Touch;
+use explicit_dynamics::Instant;
+use sph_core::Vec3;
+
+use crate::Shell;
+
+impl Shell {
+    /// Evaluates loads and tools at an instant; what each tool and the shell do to each other there.
+    pub fn touch(&mut self, at: Instant) -> &[Touch] {
+        self.evaluate_external(at);
+        self.touches()
+    }
+
+    /// Least gaps between its faces and those of each tool at an instant \[L\], negative where they are in each other.
+    pub fn tool_gaps(&self, at: Instant) -> Vec<f64> {
+        self.loading.tools.least_gaps(at, self.loading.case, &self.motion.state)
+    }
+
+    /// Whether there are tools that it may touch.
+    pub fn has_tools(&self) -> bool {
+        !self.loading.tools.is_empty()
+    }
+
+    /// Gap between its face and that of the nearest tool at a particle \[L\], with tools as for the forces last evaluated.
+    pub fn tool_gap(&self, particle: usize) -> f64 {
+        self.loading.tools.gap_at(particle, &self.motion.state)
+    }
+
+    /// Whether any of them has friction.
+    pub fn has_friction(&self) -> bool {
+        self.loading.tools.remember()
+    }
+
+    /// Force of all tools on a particle \[F\], for the forces last evaluated.
+    pub fn tool_force(&self, particle: usize) -> Vec3 {
+        self.loading.tools.force(particle)
+    }
+
+    /// Stiffness of the contact with each tool, of a unit of area \[F/L³\].
+    pub fn tool_stiffness(&self) -> impl Iterator<Item = f64> {
+        self.loading.tools.stiffnesses()
+    }
+
+    /// What each tool and the shell do to each other, for the forces last evaluated, in the order in which tools were given.
+    pub fn touches(&self) -> &[Touch] {
+        self.loading.tools.touches()
+    }
+
+    /// Energy that friction on tools has taken at a particle \[F L\], until the last commit.
+    pub fn friction_loss(&self, particle: usize) -> f64 {
+        self.loading.tools.lost_at(particle)
+    }
+}
