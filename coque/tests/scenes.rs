@@ -67,6 +67,7 @@ fn said(scene: Checked) -> String {
         sets,
         supports,
         loads,
+        contact,
         analysis,
         coupling,
         curve,
@@ -78,7 +79,7 @@ fn said(scene: Checked) -> String {
     } = scene.into_scene();
     format!(
         "{:?}",
-        (title, units, bodies, sets, supports, loads, (analysis, coupling), curve, (output, error))
+        (title, units, bodies, sets, supports, (loads, contact), (analysis, coupling), curve, (output, error))
     )
 }
 

@@ -268,7 +268,7 @@ fn a_tube_that_crumples_never_comes_through_itself() {
         shell.set_rate(a, Vec3::new(x.x, 0.0, x.z) * rate, Vec3::zeros());
     }
     let steps = 100_000;
-    let run = Transient { duration: f64::INFINITY, record_every: f64::INFINITY, damping: 0.02, safety: 0.8 };
+    let run = Transient { duration: 1e6, record_every: 1e6, damping: 0.02, safety: 0.8 };
     let mut march = March::start(run, &mut shell).unwrap();
     let (mut depth, mut area, mut crossed): (f64, f64, usize) = (0.0, 0.0, 0);
     while march.clock().steps < steps {
