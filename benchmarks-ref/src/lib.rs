@@ -106,7 +106,7 @@
 //! | the rolled strip is in equilibrium, and without thickness the elastica | `equilibrium_is_the_derivative_of_the_energy`, `a_strip_without_thickness_is_the_elastica` (src/rolled_strip.rs) |
 //! | long cylinders are rings in plane strain, short ones shallow shells | `an_endless_cylinder_is_a_ring_in_plane_strain`, `many_waves_are_those_of_shallow_shells` (src/external_pressure.rs) |
 //! | elliptic integrals: published values, Legendre's relation | `published_values`, `legendre_relation` (src/elliptic.rs) |
-//! | rings between plates are those of the table and of small deflections; strips on drums are in balance | `the_pressed_ring_is_that_of_the_table`, `a_ring_hardly_pressed_is_that_of_small_deflections`, `strips_are_in_balance_with_their_curvature_on_the_drum` (src/touching.rs) |
+//! | rings between plates are those of the table and of small deflections; strips on drums are in balance; collapsed rings touch once | `the_pressed_ring_is_that_of_the_table`, `a_ring_hardly_pressed_is_that_of_small_deflections`, `strips_are_in_balance_with_their_curvature_on_the_drum`, `rings_touch_once_and_bear_more_and_more` (src/touching.rs) |
 //! | rings and strips in fluids are those of the tables | `the_ring_meets_the_table_dry_and_wet`, `the_taut_strip_meets_the_converged_elements` (src/fluid_structure_forms.rs) |
 //! | an added mass is the energy of its fluid | `the_added_mass_is_the_energy_of_the_fluid` |
 //! | plates buckle and bend by their closed forms | `the_plate_buckles_by_its_closed_forms`, `thin_square_plates_are_those_of_the_tables` |

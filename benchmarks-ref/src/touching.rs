@@ -1,4 +1,5 @@
-//! What touches rigid tools: a ring between plates, a strip on a cylinder, by the inextensible elastica; friction on an incline and a drum.
+//! What touches rigid tools, itself or another: a ring between plates and under pressure, a strip on a cylinder, by the inextensible elastica;
+//! two cantilevers; friction on an incline and a drum.
 
 use libm::{cos, exp, sin, sqrt};
 
@@ -101,6 +102,38 @@ pub fn capstan(friction: f64, angle: f64) -> f64 {
     exp(friction * angle)
 }
 
+/// A ring of radius one under external pressure, whose walls touch or not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Collapsed {
+    /// Pressure p R³/B.
+    pub pressure: f64,
+    /// Half of the distance of the mid-surfaces of its walls.
+    pub opening: f64,
+    /// Force F R²/B of a unit of width between the walls.
+    pub force: f64,
+}
+
+/// The rows of the elastica whose walls have a thickness t/R: before they touch, where they do, and after.
+///
+/// # Errors
+/// [`ReferenceError`] if the table is not there.
+pub fn collapsed_rings(thickness: f64) -> Result<Vec<Collapsed>, ReferenceError> {
+    let table: Reference = reference("contact_ring_under_pressure")?;
+    let ring = |row: usize| {
+        let number = |column: &str| table.number(row, column);
+        let found = Collapsed {
+            pressure: number("p R^3/B")?,
+            opening: number("half opening b/R")?,
+            force: number("F R^2/B")?,
+        };
+        // Free rings are those of any thickness, until they touch.
+        let own = number("t/R")? == thickness;
+        let free = table.rows[row][0].as_str() == Some("free") && found.opening > 0.5 * thickness;
+        Ok((own || free).then_some(found))
+    };
+    (0..table.rows.len()).filter_map(|row| ring(row).transpose()).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -146,6 +179,26 @@ mod tests {
     fn a_ring_hardly_pressed_is_that_of_small_deflections() {
         let stiffness = 1.0 / (std::f64::consts::FRAC_PI_4 - 2.0 / std::f64::consts::PI);
         assert!((pressed_ring(2.0 - 1e-4) / (1e-4 * stiffness) - 1.0).abs() < 2e-4);
+    }
+
+    /// Upper half of a ring that touches: the pressure on what it spans carries the force between the walls and the thrust at its sides,
+    /// which curvature bends about them. The pressures rise, the openings fall, and the force begins where they touch.
+    #[test]
+    fn rings_touch_once_and_bear_more_and_more() {
+        for thickness in [0.02, 0.05, 0.1] {
+            let rings = collapsed_rings(thickness).unwrap();
+            assert!(rings.len() > 10);
+            for pair in rings.windows(2) {
+                assert!(
+                    pair[0].pressure < pair[1].pressure && pair[0].opening >= pair[1].opening,
+                    "{pair:?}"
+                );
+                assert!(pair[0].force <= pair[1].force && pair[1].opening >= 0.5 * thickness);
+            }
+            let touching = rings.iter().filter(|ring| ring.opening == 0.5 * thickness);
+            assert_eq!(touching.clone().next().unwrap().force, 0.0);
+            assert!(touching.count() > 5);
+        }
     }
 
     /// Moments about the clamp: the tip's force, the force at lift-off and the pressure on what is wrapped make the moment B/R there.

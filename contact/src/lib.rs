@@ -1,5 +1,5 @@
-//! Contact of surfaces with rigid tools: a penalty on the distance of mid-surfaces, with a barrier in the inner half of the thickness, and
-//! Coulomb friction.
+//! Contact of surfaces with rigid tools, with each other and with themselves: a penalty on the distance of mid-surfaces, with a barrier in the
+//! inner half of the thickness, and Coulomb friction on tools.
 //!
 //! Thickness is the room in which contact happens: the mid-surface of a shell of thickness t stands `D = t/2` off a tool when faces touch, so a
 //! soft law has half a thickness to give. Every vertex of the surface, a particle or the middle of a quadrilateral, has the energy
@@ -36,13 +36,42 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Two surfaces, or one with itself, are a [`SurfaceContact`]: each vertex of one has the energy `κ σ A D² Σ c φ(s)` over the faces, edges and
+//! vertices of the other nearer than D, whose integer coefficients c count every nearest place once (`euler.rs`); σ is its share, by
+//! which both sides are as stiff. Who uses it says where nodes are and takes the forces on them:
+//!
+//! ```
+//! use contact::{Law, Mesh, SurfaceContact, Touching};
+//! use sph_core::{Cell, Vec3};
+//!
+//! // Two squares of one cell, a tenth of the distance at which they touch in each other.
+//! let square = |z: f64| [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| Vec3::new(x, y, z));
+//! let places = [square(0.0), square(0.09)];
+//! let cells = [Cell { corners: [0, 1, 2, 3], count: 4 }];
+//! let meshes = [0, 1].map(|body: usize| Mesh::new(&cells, &places[body], |_| 0.05));
+//! let touching = Touching { distance: 0.1, law: Law::SHARP, stiffness: 1e3, skin: 0.3, edges: false };
+//! let mut contact = SurfaceContact::between(meshes, [&places[0], &places[1]], touching);
+//! let touch = contact.look(|(body, node)| places[body][node as usize]);
+//! let mut upper = Vec3::zeros();
+//! contact.forces(|(body, _), force| if body == 1 { upper += force });
+//! assert!((upper.z / (1e3 * 0.01) - 1.0).abs() < 1e-9); // κ u A
+//! assert!((touch.energy / (0.5 * 1e3 * 0.01 * 0.01) - 1.0).abs() < 1e-9);
+//! ```
+//!
 //! | where is | look in |
 //! |---|---|
 //! | energy of a depth | `law.rs` |
 //! | shapes and their distances | `tool.rs` |
 //! | vertices, areas | `surface.rs` |
-//! | forces, tangent, what is measured | `touch.rs` |
-//! | what is far is passed over | `watch.rs` |
+//! | forces, tangent, what is measured of a tool | `touch.rs` |
+//! | what is far of a tool is passed over | `watch.rs` |
+//! | distance of a point or an edge from a feature, with its derivatives | `pair.rs`, `nearest.rs` |
+//! | faces and edges, what lies near along a surface | `mesh.rs` |
+//! | which features a point touches, how often each counts | `euler.rs` |
+//! | what may touch while nothing moves far | `list.rs`, `surfaces/following.rs` |
+//! | how far nodes may go at once | `surfaces/reaching.rs` |
+//! | edges that cross between vertices | `edges.rs` |
+//! | two surfaces, or one with itself; forces, tangent, bounds of them | `surfaces.rs`; `surfaces/acting.rs` |
 //! | κ | `stiffness.rs` |
 //! | friction, its anchors, what it loses | `friction.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
@@ -58,6 +87,10 @@
 //! | forces are the gradient of the energy, the tangent that of the forces, for every tool | tests/derivatives.rs |
 //! | work of friction is what it loses and what its anchors store; a tool that turns drags | tests/friction.rs |
 //! | turned and in other units the answer is the same | tests/relations.rs |
+//! | the same of pairs of features, of edges that cross, of two surfaces | `gradient_and_second_derivative_of_every_kind_of_pair_are_those_of_the_distance`, `forces_of_two_edges_are_the_gradient_of_their_energy_nearly_parallel_ones_too`, tests/surfaces.rs |
+//! | every nearest place counts once; what slides over a plane feels no ripple | `every_nearest_place_counts_once_at_faces_rims_notches_and_corners`, `what_slides_over_a_plane_feels_no_ripple` |
+//! | no vertex leaps through a face | `nothing_leaps_through_what_it_may_touch` |
+//! | an even depth makes even forces on unlike cells, momentum is kept, an old list and a new one give the same bits | tests/surfaces.rs |
 #![warn(missing_docs)]
 
 mod edges;

@@ -2,6 +2,7 @@
 
 mod acting;
 mod following;
+mod reaching;
 
 use sph_core::Vec3;
 

@@ -244,3 +244,22 @@ fn an_old_list_and_a_new_one_give_the_same_bits() {
     }
     assert!(two.contact.lists() < 4 && two.look().greatest_depth > 0.1, "{}", two.contact.lists());
 }
+
+/// Sheets that would fly through each other stop on the way, by less than all of their distance; those that part or fly together go all of theirs.
+#[test]
+fn nothing_leaps_through_what_it_may_touch() {
+    for gap in [0.19, 0.3, 1.5] {
+        let two = Two::new(Vec3::new(0.6, 0.2, gap), 0.0, TOUCHING);
+        let reach = |by: f64, common: Vec3| {
+            let at = |(body, a): Node| two.at[body][a as usize];
+            two.contact.reach(at, |(body, a)| at((body, a)) + Vec3::z() * (by * body as f64) + common)
+        };
+        for by in [-0.5 * gap, -1.1 * gap, -3.0 * gap, -40.0 * gap] {
+            let share = reach(by, Vec3::zeros());
+            let gone = share * -by;
+            assert!(gone <= 0.85 * gap && (share == 1.0 || gone > 0.02 * gap), "{gap} {by}: {share}");
+        }
+        assert_eq!(reach(0.0, Vec3::new(100.0, 3.0, -7.0)), 1.0);
+        assert_eq!(reach(0.1, Vec3::zeros()), 1.0);
+    }
+}

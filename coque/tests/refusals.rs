@@ -279,7 +279,7 @@ fn contradicting_motion() {
 fn words_of_other_programs() {
     let cases = [
         ("material.plastic", "{ yield = 250.0 }"),
-        ("contact", "{}"),
+        ("friction", "0.3"),
         ("analysis.implicit", "{}"),
         ("supports[0].fixed", "true"),
         ("material.elastic.nu", "0.3"),

@@ -117,6 +117,12 @@ pub trait Equilibrium {
         0.0
     }
 
+    /// The share of an increment, one at most, by which the state may move at once: less than one where parts that may touch would leap
+    /// through each other. One, the default, where there are none.
+    fn reach(&mut self, _increment: &[f64]) -> f64 {
+        1.0
+    }
+
     /// Moves the state by an increment in its present tangent space.
     fn update(&mut self, increment: &[f64]);
 

@@ -2,6 +2,8 @@
 
 mod parts;
 
+pub(crate) use parts::within_reach;
+
 use crate::effort::Effort;
 use crate::error::require;
 use crate::options::NewtonOptions;
@@ -159,16 +161,6 @@ impl Newton {
         Ok(self.solver.inertia())
     }
 
-    /// Reads another pattern and analyses it; the sense of scale stays.
-    fn analyse<E: Equilibrium + ?Sized>(&mut self, system: &E) -> Result<(), EquilibriumError> {
-        let (n, pattern) = (system.unknowns(), system.pattern());
-        let mut solver = SymmetricSolver::placed(n, &pattern, system.coordinates().as_deref())?;
-        solver.refer_to(self.solver.first_stiffness());
-        self.values.resize(pattern.len(), 0.0);
-        self.solver = solver;
-        Ok(())
-    }
-
     /// The signs of the pivots of the last factor.
     pub fn inertia(&self) -> Inertia {
         self.solver.inertia()
@@ -299,7 +291,10 @@ impl Newton {
                     self.tangent(system, level)?;
                 }
             } // else a load step starts: the tangent before it serves
-            let correction = self.correction(system, level, increment, constraint)?;
+            let mut correction = self.correction(system, level, increment, constraint)?;
+            if let Constraint::Level = constraint {
+                within_reach(system, &mut correction.motion);
+            }
             level += correction.level;
             increment.level += correction.level;
             let share = match constraint {
@@ -339,17 +334,6 @@ impl Newton {
     pub(crate) fn length(&self, motion: &[f64]) -> f64 {
         let scale = self.solver.scale();
         motion.iter().zip(scale).map(|(q, s)| (q / s) * (q / s)).sum::<f64>().sqrt()
-    }
-
-    /// Whether a motion is too short against the way made to be more than rounding.
-    pub(crate) fn is_rounding(&self, motion: &[f64], increment: &Increment) -> bool {
-        self.length(motion) <= AT_REST * self.way(increment)
-    }
-
-    /// Length of the way from the start of the path, of the present step or of the first, whichever is longest.
-    fn way(&self, increment: &Increment) -> f64 {
-        let sum: Vec<f64> = self.travelled.iter().zip(&increment.motion).map(|(a, b)| a + b).collect();
-        self.length(&sum).max(self.length(&increment.motion)).max(self.first_way)
     }
 
     /// One bordered solve: `K δ = r + δλ p` with the constraint linearised, by two solves with one factor

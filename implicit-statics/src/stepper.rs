@@ -1,7 +1,7 @@
 //! One continuation step from a converged state: predictor, corrector, and what is kept between steps.
 
 use crate::breaking::Gone;
-use crate::newton::Constraint;
+use crate::newton::{Constraint, within_reach};
 use crate::options::{Control, PathOptions};
 use crate::path::Start;
 use crate::vectors::dot;
@@ -254,7 +254,8 @@ impl<'a> Stepper<'a> {
         crossing: &Increment,
     ) -> Result<StepOutcome, EquilibriumError> {
         let share = (level - self.level) / crossing.level;
-        let motion = crossing.motion.iter().map(|q| share * q).collect();
+        let mut motion: Vec<f64> = crossing.motion.iter().map(|q| share * q).collect();
+        within_reach(system, &mut motion);
         let mut increment = Increment { motion, level: level - self.level };
         self.newton.advance(system, &increment.motion);
         let converged = self.newton.correct(system, level, &mut increment, &Constraint::Level, false)?;
@@ -342,6 +343,7 @@ impl<'a> Stepper<'a> {
             increment.level += bend.level;
             increment.motion.iter_mut().zip(&bend.motion).for_each(|(q, b)| *q += b);
         }
+        within_reach(system, &mut increment.motion);
         self.newton.advance(system, &increment.motion);
         Ok(bend.is_some())
     }

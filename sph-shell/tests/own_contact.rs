@@ -12,7 +12,7 @@ use audit::crossings;
 use common::{DENSITY, POISSON, YOUNG, beam_parts, parts, shake, supported};
 use contact::{Law, stiffness};
 use explicit_dynamics::{Amplitude, Event, March, Transient};
-use implicit_statics::{Control, End, Equilibrium, PathOptions, Start, follow, stiffness_error};
+use implicit_statics::{Control, End, Equilibrium, Newton, PathOptions, Start, follow, stiffness_error};
 use sph_core::{Cylinder, EndWeights, Side, Vec3, lattice};
 use sph_shell::{Force, Formulation, Load, OwnContact, Pressure, Reach, Shell, StaticShell, SymmetryPlane};
 
@@ -120,6 +120,23 @@ fn a_ring_under_pressure_touches_itself_as_the_elastica_does() {
             assert!(error.abs() < bound, "{cells} cells, p {pressure}: {error:+.5}");
         }
         assert_eq!(crossings(system.shell()), 0);
+    }
+}
+
+/// One level from walls apart to walls that press: Newton's method may give up, where a path shortens its step, but leaps through nothing.
+#[test]
+fn a_long_step_does_not_leap_through() {
+    for until in [5.5, 7.0] {
+        let mut system = StaticShell::new(ring(40, 0.05, until, 0.02));
+        let mut options = PathOptions::new(Control::Load { step: 0.02, until: 5.0 / until });
+        options.newton.line_search = true;
+        let path = follow(&mut system, &Start::default(), &options, |_, _| ControlFlow::Continue(()));
+        assert_eq!(path.end, Ok(End::Reached));
+        let mut newton = Newton::new(&system, &options.newton).unwrap();
+        let converged = newton.at_level(&mut system, 1.0).map(|found| found.iterations);
+        let shell = system.shell();
+        println!("p {until}: {converged:?}");
+        assert!(shell.position(0).z > 0.02 && crossings(shell) == 0, "{}", shell.position(0));
     }
 }
 
@@ -249,15 +266,14 @@ fn threads_and_a_stop_on_the_way_leave_the_bits_as_they_are() {
     assert!(lasts[2] == lasts[0], "a stop");
 }
 
-/// A tube of ten thousand particles under many times the pressure that it bears, through a hundred thousand steps.
+/// A tube under many times the pressure that it bears, long after its walls have met.
 #[test]
-#[ignore = "minutes"]
 fn a_tube_that_crumples_never_comes_through_itself() {
-    let thickness = 0.02;
+    let thickness = 0.05;
     let shape = Cylinder { radius: 1.0, angles: [0.0, 6.1], length: 1.6 };
-    let cloud = lattice(&shape, [200, 50], EndWeights::Trapezoid).unwrap();
+    let cloud = lattice(&shape, [61, 16], EndWeights::Trapezoid).unwrap();
     let own = touching(thickness, cloud.spacing(), Law::new(0.05).unwrap(), true);
-    let value = -20.0 * YOUNG * thickness * thickness * thickness / 12.0;
+    let value = -12.0 * YOUNG * thickness * thickness * thickness / 12.0;
     let load: Box<dyn Load> = Box::new(Pressure { value, follower: true });
     let loads = vec![sph_shell::AppliedLoad { load, amplitude: Amplitude::Constant }];
     let built = sph_shell::Parts { loads, threads: 2, ..parts(cloud, CELL, thickness) };
@@ -267,15 +283,15 @@ fn a_tube_that_crumples_never_comes_through_itself() {
         let rate = libm::sin(3.0 * x.y + 2.0 * x.x) * 0.01 * sound();
         shell.set_rate(a, Vec3::new(x.x, 0.0, x.z) * rate, Vec3::zeros());
     }
-    let steps = 100_000;
-    let run = Transient { duration: f64::INFINITY, record_every: f64::INFINITY, damping: 0.02, safety: 0.8 };
+    let steps = 6000;
+    let run = Transient { duration: 1e6, record_every: 1e6, damping: 0.02, safety: 0.8 };
     let mut march = March::start(run, &mut shell).unwrap();
     let (mut depth, mut area, mut crossed): (f64, f64, usize) = (0.0, 0.0, 0);
     while march.clock().steps < steps {
         march.advance(&mut shell).unwrap();
         let touch = shell.own_touch().unwrap();
         (depth, area) = (depth.max(touch.greatest_depth), area.max(touch.area));
-        if march.clock().steps.is_multiple_of(1000) {
+        if march.clock().steps.is_multiple_of(200) {
             crossed += crossings(&shell);
             println!("{}: {touch:?}, {crossed} crossings, {:.3e}", march.clock().steps, march.clock().dt);
         }

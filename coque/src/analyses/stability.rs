@@ -24,7 +24,7 @@ pub(crate) struct Stability {
     wanted: Option<bool>,
     tangent: TangentCost,
     particles: f64,
-    /// Ordered once a run.
+    /// Ordered once a run, and anew where parts that touch have found other partners.
     solver: Option<(SymmetricSolver, Vec<f64>)>,
 }
 
@@ -53,7 +53,7 @@ impl Stability {
     /// stays as it is, its forces are those of its state.
     pub fn look(&mut self, body: &mut dyn DynamicBody, level: f64) -> Option<Inertia> {
         let mut system = body.at_rest()?;
-        if self.solver.is_none() {
+        if system.pattern_changed(level) || self.solver.is_none() {
             let pattern = system.pattern();
             let solver = SymmetricSolver::new(system.unknowns(), &pattern).ok()?;
             self.solver = Some((solver, vec![0.0; pattern.len()]));

@@ -1,8 +1,9 @@
-//! Paths in parts: how one begins, from the state in which another ended or from anywhere else, and how it ends; the line search on the way.
+//! Paths in parts: how one begins, from the state in which another ended or from anywhere else, and how it ends; a pattern that changes, how far a
+//! state may move at once, and the line search on the way.
 
-use crate::newton::{Converged, Newton};
+use crate::newton::{AT_REST, Converged, Newton};
 use crate::vectors::{dot, norm};
-use crate::{Equilibrium, EquilibriumError};
+use crate::{Equilibrium, EquilibriumError, Increment, SymmetricSolver};
 
 impl Newton {
     /// Begins a path: the sense of scale is that of its start; a factor of the same state by the same stiffnesses serves on.
@@ -46,6 +47,27 @@ impl Newton {
         &self.external
     }
 
+    /// Reads another pattern and analyses it; the sense of scale stays.
+    pub(super) fn analyse<E: Equilibrium + ?Sized>(&mut self, system: &E) -> Result<(), EquilibriumError> {
+        let (n, pattern) = (system.unknowns(), system.pattern());
+        let mut solver = SymmetricSolver::placed(n, &pattern, system.coordinates().as_deref())?;
+        solver.refer_to(self.solver.first_stiffness());
+        self.values.resize(pattern.len(), 0.0);
+        self.solver = solver;
+        Ok(())
+    }
+
+    /// Whether a motion is too short against the way made to be more than rounding.
+    pub(crate) fn is_rounding(&self, motion: &[f64], increment: &Increment) -> bool {
+        self.length(motion) <= AT_REST * self.way(increment)
+    }
+
+    /// Length of the way from the start of the path, of the present step or of the first, whichever is longest.
+    pub(super) fn way(&self, increment: &Increment) -> f64 {
+        let sum: Vec<f64> = self.travelled.iter().zip(&increment.motion).map(|(a, b)| a + b).collect();
+        self.length(&sum).max(self.length(&increment.motion)).max(self.first_way)
+    }
+
     /// Ends a path in the present state.
     pub(crate) fn leave<E: Equilibrium + ?Sized>(&mut self, system: &E) {
         self.left = system.save();
@@ -66,6 +88,14 @@ impl Newton {
         self.force_scale = self.force_scale.max(norm(&self.external)).max(norm(&self.internal));
         self.keep(system);
         Ok(Converged { level, iterations: 0, residuals: vec![size], bound, inertia })
+    }
+}
+
+/// Shortens a motion to what the system may move at once.
+pub(crate) fn within_reach<E: Equilibrium + ?Sized>(system: &mut E, motion: &mut [f64]) {
+    let share = system.reach(motion);
+    if share < 1.0 {
+        motion.iter_mut().for_each(|q| *q *= share);
     }
 }
 

@@ -226,6 +226,11 @@ impl SelfContact {
         self.contact.lists()
     }
 
+    /// The share of the way from one state to another after which nothing has come through.
+    pub fn reach(&self, here: &[Row], there: &[Row]) -> f64 {
+        self.contact.reach(place(here), place(there))
+    }
+
     /// What a checkpoint keeps beside the motion: how long nothing can come near, and where particles were when lists were made; nothing
     /// before the first.
     pub fn kept(&self) -> Vec<f64> {

@@ -151,6 +151,18 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         }
     }
 
+    fn reach(&mut self, increment: &[f64]) -> f64 {
+        if self.shell.loading.own_contact.is_none() {
+            return 1.0;
+        }
+        let saved = self.save();
+        self.update(increment);
+        let there = self.shell.motion.state.clone();
+        self.restore(&saved);
+        let Shell { loading, motion, .. } = &*self.shell;
+        loading.own_contact.as_ref().map_or(1.0, |own| own.reach(&motion.state, &there))
+    }
+
     fn update(&mut self, increment: &[f64]) {
         self.carried.clear();
         for a in 0..self.shell.len() {

@@ -2,6 +2,7 @@
 
 mod capstan;
 mod incline;
+mod collapsed_ring;
 mod pressed_ring;
 mod two_cantilevers;
 mod wrapped_strip;
@@ -9,6 +10,7 @@ mod wrapped_strip;
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 5] {
-    [pressed_ring::case(), wrapped_strip::case(), two_cantilevers::case(), capstan::case(), incline::case()]
+pub fn all() -> [Case; 6] {
+    let [strips, rough] = [wrapped_strip::case(), capstan::case()];
+    [pressed_ring::case(), strips, collapsed_ring::case(), two_cantilevers::case(), rough, incline::case()]
 }
