@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 49] = [
+const EXAMPLES: [Example; 50] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
@@ -49,6 +49,7 @@ const EXAMPLES: [Example; 49] = [
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
     Example::new("hemisphere", 0.1, include_str!("../../../scenes/hemisphere.toml")),
+    Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
     Example::new("open-cylinder", 3.0, include_str!("../../../scenes/open-cylinder.toml")),
     Example::new("panel", 14.0, include_str!("../../../scenes/panel.toml")),
