@@ -50,6 +50,7 @@
 //! | slope and curvature of the law, gradient and second derivative of distances are derivatives | `slope_and_curvature_are_derivatives_everywhere`, `gradient_and_second_derivative_are_those_of_the_distance` |
 //! | areas sum to that of the sheet | `a_sheet_hands_all_of_its_area_to_its_vertices` |
 //! | forces are the gradient of the energy, the tangent that of the forces, for every tool | tests/derivatives.rs |
+//! | springs between places: forces and blocks are derivatives, momentum is kept, the bound lies above the frequency | src/joints.rs |
 //! | turned and in other units the answer is the same | tests/relations.rs |
 #![warn(missing_docs)]
 
