@@ -86,6 +86,7 @@
 //! | areas sum to that of the sheet | `a_sheet_hands_all_of_its_area_to_its_vertices` |
 //! | forces are the gradient of the energy, the tangent that of the forces, for every tool | tests/derivatives.rs |
 //! | work of friction is what it loses and what its anchors store; a tool that turns drags | tests/friction.rs |
+//! | springs between places: forces and blocks are derivatives, momentum is kept, the bound lies above the frequency | src/joints.rs |
 //! | turned and in other units the answer is the same | tests/relations.rs |
 //! | the same of pairs of features, of edges that cross, of two surfaces | `gradient_and_second_derivative_of_every_kind_of_pair_are_those_of_the_distance`, `forces_of_two_edges_are_the_gradient_of_their_energy_nearly_parallel_ones_too`, tests/surfaces.rs |
 //! | every nearest place counts once; what slides over a plane feels no ripple | `every_nearest_place_counts_once_at_faces_rims_notches_and_corners`, `what_slides_over_a_plane_feels_no_ripple` |

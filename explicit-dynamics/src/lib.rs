@@ -153,6 +153,7 @@
 //! | a march kept anywhere goes on to the same bits | `quasi_static_marches_go_on_to_the_same_bits`, `transient_marches_go_on_to_the_same_bits` (tests/march_state.rs) |
 //! | a march is a value: any number of them may be led in turns, each to the bits that it has alone | `marches_led_in_turns_do_not_know_of_each_other` |
 //! | a system behind `dyn Dynamics` marches to the same bits; one without a measure of rest is refused | `a_system_without_a_type_marches_to_the_same_bits`, `a_system_that_does_not_say_when_it_rests_is_refused` (tests/any_system.rs) |
+//! | two masses on a spring between them swing as the closed form to second order, momentum to rounding; beside another a system keeps its bits | `two_masses_on_a_spring_swing_as_they_should`, `a_system_beside_another_marches_to_its_own_bits` (tests/several.rs) |
 //! | structure first, a spring in a gas never gains energy; fluid first, or without one part of its load, it does | `structure_first_never_gains_energy`, `fluid_first_pumps_energy_into_the_structure`, `loads_that_lag_or_do_not_yield_let_the_energy_grow` (tests/two_clocks) |
 //! | momentum of gas and structure is kept but for the impulse under way | `momentum_is_kept_but_for_what_is_under_way` |
 //! | a mode of gas and spring is that of the closed form, to second order | `a_mode_of_gas_and_spring_is_found_to_second_order` |

@@ -228,6 +228,7 @@
 //! | buckling loads in closed form | `buckling_of_a_column_by_its_links`, `buckling_through_the_prestress_of_the_state` |
 //! | no level of a dense spectrum is missing, in two factorisations | `no_level_of_a_dense_spectrum_is_missing` |
 //! | levels of either sign; a load that stretches is refused | `levels_of_either_sign`, `a_load_that_stretches_is_reported_so` |
+//! | joined systems: the tangent is the derivative of all forces; unjoined each answers as alone | `the_tangent_is_the_derivative_of_all_forces`, `unjoined_systems_answer_as_each_alone` (tests/several.rs) |
 //! | a search for modes ends when asked | `a_search_is_ended_from_outside` |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 51] = [
+const EXAMPLES: [Example; 54] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
@@ -51,6 +51,7 @@ const EXAMPLES: [Example; 51] = [
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
     Example::new("hemisphere", 0.1, include_str!("../../../scenes/hemisphere.toml")),
     Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
+    Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
     Example::new("open-cylinder", 3.0, include_str!("../../../scenes/open-cylinder.toml")),
     Example::new("panel", 14.0, include_str!("../../../scenes/panel.toml")),
@@ -71,6 +72,7 @@ const EXAMPLES: [Example; 51] = [
     Example::new("relieved-strip", 0.1, include_str!("../../../scenes/relieved-strip.toml")),
     Example::new("ring", 3.0, include_str!("../../../scenes/ring.toml")),
     Example::new("ring-between-plates", 0.6, include_str!("../../../scenes/ring-between-plates.toml")),
+    Example::new("ring-in-itself", 2.0, include_str!("../../../scenes/ring-in-itself.toml")),
     Example::new("ring-green-lagrange", 6.0, include_str!("../../../scenes/ring-green-lagrange.toml")),
     Example::new("ring-pressure", 0.1, include_str!("../../../scenes/ring-pressure.toml")),
     Example::new("scordelis-lo", 0.1, include_str!("../../../scenes/scordelis-lo.toml")),
@@ -95,6 +97,7 @@ const EXAMPLES: [Example; 51] = [
     Example::new("tied-rib", 0.1, include_str!("../../../scenes/meshes/tied-rib.toml")),
     Example::new("twisted-beam", 0.1, include_str!("../../../scenes/twisted-beam.toml")),
     Example::new("twisted-strip", 0.5, include_str!("../../../scenes/twisted-strip.toml")),
+    Example::new("two-cantilevers", 0.5, include_str!("../../../scenes/two-cantilevers.toml")),
 ];
 
 /// What is written beside an example on a mesh: the ending of its name, and what it holds.

@@ -19,7 +19,7 @@ pub(crate) struct JointInScene<'a> {
 /// All springs between bodies, in the order of the scene.
 ///
 /// # Errors
-/// [`SceneError::Set`] for a support on a set that names no body.
+/// [`SceneError::Set`] for a support on, and a spring to, a set that names no body.
 pub(crate) fn joints(scene: &Scene) -> Result<Vec<JointInScene<'_>>, SceneError> {
     let mut found = Vec::new();
     if scene.bodies.len() < 2 {
@@ -30,8 +30,12 @@ pub(crate) fn joints(scene: &Scene) -> Result<Vec<JointInScene<'_>>, SceneError>
         let Some(spring) = &support.spring else { continue };
         let Some(to) = &spring.to else { continue };
         let Owner::Of(body, set) = Owner::of(scene, &format!("{path}.on"), &support.on)? else { continue };
-        // A name without a body is one of a set of the same body.
-        let Ok(Owner::Of(other, end)) = Owner::of(scene, &path, to) else { continue };
+        let (other, end) = match Owner::of(scene, &format!("{path}.spring.to"), to) {
+            Ok(Owner::Of(other, end)) => (other, end),
+            // A name without a body is one of a set of the same body.
+            Err(error) if to.contains('.') => return Err(error),
+            _ => continue,
+        };
         if other != body {
             found.push(JointInScene { path, ends: [(body, set), (other, end)], support, spring });
         }

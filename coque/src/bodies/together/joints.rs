@@ -75,7 +75,7 @@ impl BetweenBodies {
         for joint in joints(scene)? {
             let [ends, others] = [0, 1].map(|end| places(scene, &joint, end, layout, sets));
             let (ends, others) = (ends?, others?);
-            refuse_moved(scene, &joint, [&ends, &others], layout, sets)?;
+            refuse_moved(scene, [&ends, &others], layout, sets)?;
             let found = paired(scene, &joint, [&ends, &others], layout)?;
             let each = joint.spring.stiffness.get() / found.len() as f64;
             let direction = Vec3::from(joint.spring.direction.unwrap_or_default()).normalize();
@@ -176,7 +176,6 @@ fn paired(
 /// Without time no end may be moved by a support: answers are differentiated by the level at fixed unknowns.
 fn refuse_moved(
     scene: &Scene,
-    joint: &JointInScene<'_>,
     ends: [&[u32]; 2],
     layout: &Layout,
     sets: &SetsOfBodies,
@@ -190,10 +189,13 @@ fn refuse_moved(
         };
         let moved = members(layout, sets, body, set);
         if moved.iter().any(|particle| ends.iter().any(|end| end.contains(particle))) {
-            let value = format!("a spring on places that the support on \"{}\" moves", support.on);
-            let bound = format!("on places that no support moves, in {}", scene.analysis.kind().name);
+            let value = format!("\"{}\"", support.on);
+            let bound = format!(
+                "whose places hang on a spring between bodies, which {} has on places that no support moves",
+                scene.analysis.kind().name
+            );
             let repair = "move another set, or use [analysis.explicit]";
-            let fault = scene.source.fault(&format!("{}.on", joint.path), &value, &bound, repair);
+            let fault = scene.source.fault(&format!("supports[{i}].on"), &value, &bound, repair);
             return Err(SceneError::Set(fault));
         }
     }

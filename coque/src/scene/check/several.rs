@@ -71,8 +71,9 @@ pub(super) fn check_joints(scene: &Scene) -> Verdict {
         let given: Vec<&str> = support.kinds().iter().map(|(word, _)| *word).collect();
         s.exactly_one(&path, "condition", &given, &Support::WORDS)?;
         if support.preload || support.amplitude.is_some() {
-            let key = if support.preload { "preload" } else { "amplitude" };
-            return refuse(key, "given", "none of a spring, which no level scales", "remove it");
+            let (key, value) =
+                if support.preload { ("preload", "a preload") } else { ("amplitude", "a course in time") };
+            return refuse(key, value, "none of a spring, which no level scales", "remove it");
         }
         if spring.axis.is_some() {
             let bound = "none of a spring between two bodies, which resists displacements";

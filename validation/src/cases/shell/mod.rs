@@ -11,6 +11,7 @@ pub mod hemisphere_large;
 mod hook;
 mod i_beams;
 mod initial_stress;
+mod joined_cantilevers;
 mod junctions;
 pub mod open_cylinder;
 pub mod panel;
@@ -54,7 +55,13 @@ pub fn all() -> Vec<Case> {
     ));
     cases.extend(family(
         "Plates",
-        [plate::case(), plate_frequencies::case(), stepped_plate::case(), initial_stress::case()],
+        [
+            plate::case(),
+            plate_frequencies::case(),
+            stepped_plate::case(),
+            initial_stress::case(),
+            joined_cantilevers::case(),
+        ],
     ));
     cases.extend(family(
         "Stability of shells",
