@@ -76,7 +76,10 @@ pub(super) fn finest(scene: &Checked, threads: usize) -> Result<Refined, String>
 }
 
 /// Places at rest and the sets of the one body.
-fn placed(scene: &Checked, threads: usize) -> Result<(Vec<Vec3>, BTreeMap<String, Vec<u32>>), SceneError> {
+pub(super) fn placed(
+    scene: &Checked,
+    threads: usize,
+) -> Result<(Vec<Vec3>, BTreeMap<String, Vec<u32>>), SceneError> {
     // Sets are kept where fields are asked for.
     let fields = Fields { every: 1, extruded: false, points: false, stresses: false };
     let shown = Scene { output: Output { fields: Some(fields), ..Output::default() }, ..alone(scene) };

@@ -17,12 +17,14 @@ mod companions;
 mod convergence;
 mod errors;
 mod found;
+mod graded;
 mod kept;
 mod ladder;
 mod meshes;
 mod methods;
 mod nested;
 mod pairing;
+mod probes;
 mod refined;
 mod said;
 
@@ -32,6 +34,7 @@ use std::time::Duration;
 pub use bars::{OnLattice, bar};
 pub use companions::Companions;
 pub use convergence::Convergence;
+pub use graded::Graded;
 pub use ladder::{ClimbError, Ladder, Rung};
 pub use refined::Refined;
 

@@ -1,6 +1,6 @@
 //! The errors of a run on the terminal: a line a number.
 
-use crate::{Column, ErrorBar, Errors, Outcome, Verdict};
+use crate::{Column, ErrorBar, Errors, Outcome, ProbedColumn, Verdict};
 
 use super::stderr::say;
 
@@ -32,6 +32,11 @@ pub fn report(outcome: &Outcome, own: &[String]) {
     if !errors.columns.is_empty() {
         say(&format!("  a bar holds: {}; not in it: {}", list(&errors.holds), list(&errors.lacks)));
     }
+    for probe in &errors.probes {
+        let own = probe.columns.iter().filter(|column| modes || own.contains(&column.name));
+        let changes: Vec<String> = own.map(change).collect();
+        say(&format!("  {} on {}: {}", probe.changed, probe.lattice, changes.join(", ")));
+    }
     if let Some(cost) = errors.cost() {
         let others = errors.lattices.iter().skip(1).map(|run| run.lattice.clone());
         say(&format!(
@@ -40,6 +45,17 @@ pub fn report(outcome: &Outcome, own: &[String]) {
         ));
     }
     errors.without.iter().for_each(|why| say(&format!("  no bar: {why}")));
+}
+
+/// What a probe changes of a column: `w_edge by 1.2e-3 mm`, with the greatest change where that is another.
+fn change(column: &ProbedColumn) -> String {
+    let ProbedColumn { name, unit, last, greatest } = column;
+    let unit = if unit == "-" { String::new() } else { format!(" {unit}") };
+    match last {
+        Some(last) if last.abs() >= 0.5 * greatest => format!("{name} by {last:+.1e}{unit}"),
+        Some(last) => format!("{name} by {last:+.1e}{unit}, {greatest:.1e}{unit} on the way"),
+        None => format!("{name} by up to {greatest:.1e}{unit}"),
+    }
 }
 
 /// `7.46139 ± .0009 mm (order 2.0, three lattices, converging)`.

@@ -126,12 +126,7 @@ fn divided(rings: &[Vec<u32>], marked: &[bool]) -> BTreeSet<[u32; 2]> {
 }
 
 /// The parts of a face, of whose edges some have a node in the middle; `centre` makes its own.
-fn divide(
-    ring: &[u32],
-    middle: &[Option<u32>],
-    faces: &mut Vec<[u32; 4]>,
-    centre: &mut dyn FnMut() -> u32,
-) {
+fn divide(ring: &[u32], middle: &[Option<u32>], faces: &mut Vec<[u32; 4]>, centre: &mut dyn FnMut() -> u32) {
     let count = ring.len();
     // From the first divided edge behind one that is not.
     let turned = |from: usize| -> (Vec<u32>, Vec<Option<u32>>) {
@@ -226,9 +221,7 @@ mod tests {
         let n = 4;
         let at = |i: u32, j: u32| i * (n + 1) + j;
         Arrays {
-            points: (0..=n)
-                .flat_map(|i| (0..=n).map(move |j| [f64::from(i), f64::from(j), 0.0]))
-                .collect(),
+            points: (0..=n).flat_map(|i| (0..=n).map(move |j| [f64::from(i), f64::from(j), 0.0])).collect(),
             faces: (0..n)
                 .flat_map(|i| (0..n).map(move |j| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]))
                 .collect(),
@@ -240,7 +233,9 @@ mod tests {
     #[test]
     fn faces_beside_the_marked_ones_are_divided_to_fit() {
         // Two in the same row leave the one between them two divided edges; one at a corner leaves its neighbours one each.
-        for marked in [vec![0], vec![5], vec![5, 6], vec![5, 7], vec![5, 10], vec![0, 5, 15], vec![4, 1, 6, 9]] {
+        for marked in
+            [vec![0], vec![5], vec![5, 6], vec![5, 7], vec![5, 10], vec![0, 5, 15], vec![4, 1, 6, 9]]
+        {
             let surface = square().surface("square", false).unwrap();
             let mut at = vec![false; 16];
             marked.iter().for_each(|&face: &usize| at[face] = true);
