@@ -30,9 +30,10 @@ fn levels_that_begin_at_those_of_the_run_give_the_same_bars() {
         assert_eq!(anew.len(), begun.len());
         for (anew, begun) in anew.iter().zip(begun) {
             assert_eq!(anew.value.to_bits(), begun.value.to_bits());
-            // Between the rows that are balanced a bar may be wider, not narrower by more than a cubic misses; below 10⁻⁷ there is round-off.
+            // Between the rows that are balanced a bar may be wider, not narrower by more than a cubic misses: .29 of it, measured where a strip
+            // turns by 90° between two of them, and a bar is twice the error. Below 10⁻⁷ there is round-off.
             let [a, b] = [anew, begun].map(|bar| bar.bar.unwrap_or(0.0));
-            assert!(b >= 0.9 * a - 1e-7 * greatest, "{name}: {anew:?}, {begun:?}");
+            assert!(b >= 0.6 * a - 1e-7 * greatest, "{name}: {anew:?}, {begun:?}");
         }
         let last = |bars: &[coque::ErrorBar]| bars.last().unwrap().bar.unwrap();
         // The last level is balanced on all lattices: what Newton's method leaves.

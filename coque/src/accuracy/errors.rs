@@ -21,6 +21,8 @@ const PLACES: [&str; 7] =
     ["time", "mode", "iterations", "negative_pivots", "residual", "unbalanced", "remaining_displacement"];
 /// Columns that are so small beside others of their unit are zero by symmetry: what differs in them is round-off.
 const VANISHING: f64 = 1e-6;
+/// Growth of time with the cells along an edge: those of a surface and its factor, or of a surface and its steps.
+const GROWTH: f64 = 2.8;
 /// Critical points that are located, and so have an error.
 const LOCATED: [&str; 2] = ["limit point", "bifurcation"];
 
@@ -57,7 +59,10 @@ impl Checked {
         let lattices: Vec<_> = lattices.chain(finer.iter().map(|finer| (finer, true))).collect();
         let (mut others, mut sharp) = (Vec::new(), None);
         for (number, (companion, last)) in lattices.iter().enumerate() {
-            progress.companion(number + 1, lattices.len(), &companion.lattice);
+            let price = price(companion.spacing).filter(|_| !*last || nested.is_none());
+            let price = price
+                .map_or_else(String::new, |price| format!(", about {price:.1} times as long as the run"));
+            progress.companion(number + 1, lattices.len(), &format!("{}{price}", companion.lattice));
             let starts = Starts { nested: nested.as_ref(), own: &own.curve, last: *last };
             match run(companion, starts, threads, progress, &mut errors) {
                 ControlFlow::Continue(found) if *last => sharp = found,
@@ -107,6 +112,11 @@ impl Checked {
             lacks(self).into_iter().filter(|(probe, _)| probe.is_none_or(|probe| !told.contains(&probe)));
         errors.lacks.extend(left.map(|(_, words)| words));
     }
+}
+
+/// How much longer than the run a finer lattice will take; none of coarser ones.
+fn price(spacing: f64) -> Option<f64> {
+    (spacing < 1.0).then(|| libm::pow(spacing, -GROWTH))
 }
 
 /// Pairs the rows and gives each number its bar.

@@ -58,6 +58,20 @@ pub struct ErrorBar {
     pub corrected: Option<f64>,
 }
 
+impl ErrorBar {
+    /// The error of the number without the safety of its bar, where the lattices show an order; in its unit.
+    pub fn convergence(&self) -> Option<f64> {
+        match self.verdict {
+            Verdict::Converging => self.bar.map(|bar| bar / SAFETY),
+            Verdict::Sharpened => self.corrected.map(|corrected| (self.value - corrected).abs()),
+            _ => None,
+        }
+    }
+}
+
+/// The factor of a bar on the error that three lattices show.
+pub(crate) const SAFETY: f64 = 2.0;
+
 /// The errors of a column, a row each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnErrors {
