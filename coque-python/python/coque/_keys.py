@@ -60,7 +60,8 @@ if TYPE_CHECKING:
     Disorder = TypedDict("Disorder", {"fraction": float, "seed": int})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]
     Elastic = TypedDict("Elastic", {"density": float, "poisson": float, "young": float})
-    ErrorBars: TypeAlias = Mapping[str, Any]
+    ErrorBars = TypedDict("ErrorBars", {"probes": NotRequired[Sequence["ErrorProbe"]], "sharpen": NotRequired[bool]})
+    ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[float], "transient": NotRequired["Transient"]})
     Fields = TypedDict("Fields", {"every": NotRequired[int], "extruded": NotRequired[bool], "points": NotRequired[bool], "stresses": NotRequired[bool]})
     Fixed: TypeAlias = Mapping[str, Any]

@@ -66,13 +66,21 @@ pub(super) fn finest(scene: &Checked, threads: usize) -> Result<Refined, String>
     if !timeless {
         return Err("that is done of linear answers, of levels without time and of modes".into());
     }
+    alike(scene, 0.5, threads)
+}
+
+/// The lattice of all bodies alike whose spacing is nearest to so many of the scene's, sets of a lone body kept.
+///
+/// # Errors
+/// In words: a scene that has no such lattice.
+pub(super) fn alike(scene: &Checked, spacing: f64, threads: usize) -> Result<Refined, String> {
     let refused = |error: SceneError| format!("the scene is refused: {error}");
     let (rest, own) = placed(scene, threads).map_err(refused)?;
-    let sets = kept(scene, &rest, &own);
+    let sets = if scene.bodies.len() == 1 { kept(scene, &rest, &own) } else { Vec::new() };
     let all: Vec<&KeptSet> = sets.iter().collect();
     let alone = alone(scene);
-    let found = nearest(&alone, 0.5, &all, true).or_else(|| nearest(&alone, 0.5, &all, false));
-    found.ok_or_else(|| "the scene has no lattice of half the spacing".into())
+    let found = nearest(&alone, spacing, &all, true).or_else(|| nearest(&alone, spacing, &all, false));
+    found.ok_or_else(|| format!("the scene has no lattice of about {spacing:.2} of its spacing"))
 }
 
 /// Places at rest and the sets of the one body.

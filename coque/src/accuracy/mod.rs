@@ -121,6 +121,26 @@ impl Checked {
     }
 }
 
+impl Checked {
+    /// The scene on a lattice of all its bodies, a fluid among them, whose spacing is about so many of its own, whole numbers of particles along every
+    /// length.
+    ///
+    /// # Errors
+    /// In words: a scene that has no such lattice.
+    pub fn alike(&self, spacing: f64, threads: usize) -> Result<Refined, String> {
+        companions::alike(self, spacing, threads)
+    }
+
+    /// Why no lattice of its can be forecast, in words; none where one can.
+    pub fn unforeseen(&self) -> Option<&'static str> {
+        if self.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some()) {
+            return Some("a surface from a file has no lattice to forecast");
+        }
+        (self.fluid().is_some() || self.bodies.len() > 1)
+            .then_some("a fluid or several bodies have no lattice to forecast")
+    }
+}
+
 /// The coarsest lattice from which on all reach the accuracy; else the one on which the order of convergence has it.
 fn needed(scene: &Checked, ladder: &Ladder, accuracy: f64) -> Option<Needed> {
     let reaches = |rung: &&Rung| rung.error.is_some_and(|error| error <= accuracy);

@@ -136,7 +136,7 @@ pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
         let model = build(&scene, run.threads.into())?;
         let measured = model.measured();
         let (code, outcome) = begin(run, model, &folder, text, replaced, stop)?;
-        let next = again.then(|| refine(&scene, &outcome, &measured, accuracy)).flatten();
+        let next = again.then(|| refine(&scene, &outcome, &measured, accuracy, folder.path())).flatten();
         match next.filter(|_| code == DONE && !stop.asked()) {
             Some(next) => wanted = next,
             None => return draw(run, &outcome, &measured).map(|()| code),
