@@ -77,7 +77,7 @@ pub fn bar(own: OnLattice, others: &[OnLattice], scale: f64) -> ErrorBar {
 /// The sharper bar of an answer and the number without its error, from a coarser lattice and a finer one; none where the three show no order.
 pub fn sharpened(own: OnLattice, coarser: OnLattice, finer: OnLattice) -> Option<ErrorBar> {
     let differences = [coarser.value - own.value, own.value - finer.value];
-    if !(differences[0] * differences[1] > 0.0) {
+    if differences[0] * differences[1] <= 0.0 {
         return None;
     }
     let spacings = [coarser, own, finer].map(|answer| answer.spacing);

@@ -83,11 +83,11 @@ pub(super) fn alike(scene: &Checked, spacing: f64, threads: usize) -> Result<Ref
     found.ok_or_else(|| format!("the scene has no lattice of about {spacing:.2} of its spacing"))
 }
 
+/// Places at rest, and the particles of sets by name.
+pub(super) type Places = (Vec<Vec3>, BTreeMap<String, Vec<u32>>);
+
 /// Places at rest and the sets of the one body.
-pub(super) fn placed(
-    scene: &Checked,
-    threads: usize,
-) -> Result<(Vec<Vec3>, BTreeMap<String, Vec<u32>>), SceneError> {
+pub(super) fn placed(scene: &Checked, threads: usize) -> Result<Places, SceneError> {
     // Sets are kept where fields are asked for.
     let fields = Fields { every: 1, extruded: false, points: false, stresses: false };
     let shown = Scene { output: Output { fields: Some(fields), ..Output::default() }, ..alone(scene) };

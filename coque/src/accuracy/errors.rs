@@ -97,19 +97,19 @@ impl Checked {
         let wanted = self.error.as_ref().map_or(&[][..], |wanted| &wanted.probes);
         let names: Vec<String> = errors.columns.iter().map(|found| found.column.name.clone()).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let mut told = Vec::new();
+        let mut measured = Vec::new();
         for ((number, &probe), (lattice, known)) in (1..).zip(wanted).zip(on.into_iter().cycle()) {
             progress.companion(number, wanted.len(), &format!("{} on {}", probe.word(), lattice.lattice));
             match probed(lattice, known, probe, &names, threads, progress) {
                 Ok(found) => {
                     errors.probes.push(found);
-                    told.push(probe);
+                    measured.push(probe);
                 }
                 Err(why) => errors.lacks.push(why),
             }
         }
         let left =
-            lacks(self).into_iter().filter(|(probe, _)| probe.is_none_or(|probe| !told.contains(&probe)));
+            lacks(self).into_iter().filter(|(probe, _)| probe.is_none_or(|probe| !measured.contains(&probe)));
         errors.lacks.extend(left.map(|(_, words)| words));
     }
 }

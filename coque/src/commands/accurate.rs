@@ -113,12 +113,11 @@ pub fn refine(
     Some(Wanted { lattice: next, again: false })
 }
 
-/// What replaces the lattice or the mesh of a scene, which goes into the folder of its run: with the spacing over that of before, in words.
-fn finer_one(
-    scene: &Checked,
-    finer: f64,
-    folder: &Path,
-) -> Result<(Vec<(String, String)>, f64, String), String> {
+/// What of a scene is replaced by a finer lattice or mesh; its spacing over that of before; in words.
+type Finer = (Vec<(String, String)>, f64, String);
+
+/// A finer lattice or mesh, which goes into the folder of the run.
+fn finer_one(scene: &Checked, finer: f64, folder: &Path) -> Result<Finer, String> {
     if scene.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some()) {
         let arrays = scene.graded(None, 1, &mut Silent)?.arrays;
         let file = folder.join(MESH);
