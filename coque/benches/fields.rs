@@ -39,7 +39,14 @@ fn frames(c: &mut Criterion) {
             [("motion", false, false), ("stresses", true, false), ("stresses, extruded", true, true)]
         {
             let units = Units { length: Length::None, force: Force::None, time: Time::None, by_depth: false };
-            let shown = FieldRequest { state: State::Moving, units, stresses, driven: None, forces: None };
+            let shown = FieldRequest {
+                state: State::Moving,
+                units,
+                stresses,
+                indicator: false,
+                driven: None,
+                forces: None,
+            };
             let wanted = Fields { every: 1, stresses, extruded, points: false };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {
                 pool.install(|| {

@@ -183,7 +183,9 @@ pub use mesh_io::{
 pub use plain::plain_text;
 pub use results::chart::{Costs, costs_svg};
 pub use results::curve::{Column, Curve, NotACurve};
-pub use results::error_bars::{ColumnErrors, CriticalError, ErrorBar, Errors, LatticeRun, Verdict};
+pub use results::error_bars::{
+    ColumnErrors, CriticalError, ErrorBar, Errors, LatticeRun, Probed, ProbedColumn, Verdict,
+};
 pub use results::growing::GrowingCurve;
 pub use results::picture::{
     FieldNotThere, Picture, PictureExtent, picture_extent, picture_svg, strip, together, usual_field,

@@ -88,7 +88,14 @@ fn the_extruded_shell_has_the_volume_of_the_shell() {
         time: coque::Time::Second,
         by_depth: false,
     };
-    let shown = FieldRequest { state: State::Balance, units, stresses: false, driven: None, forces: None };
+    let shown = FieldRequest {
+        state: State::Balance,
+        units,
+        stresses: false,
+        indicator: false,
+        driven: None,
+        forces: None,
+    };
     let frame = Frame { body: &shell, shown, along: 0.0, level: 0.0, time: 0.0 };
     FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap().frame(&frame).unwrap();
     let flat = Read::new(&folder.join("shell-0000.vtu"));

@@ -137,11 +137,6 @@ impl Newton {
         outcome
     }
 
-    /// Takes note that the caller has moved the state: the factor at hand is none of it.
-    pub fn has_moved(&mut self) {
-        (self.factored, self.answer) = (None, None);
-    }
-
     /// Factorises the tangent of the present state, unless that was the last thing done.
     pub(crate) fn tangent<E: Equilibrium + ?Sized>(
         &mut self,

@@ -20,7 +20,6 @@ mod report;
 mod sections;
 mod sides;
 mod undivided;
-mod written;
 
 use std::{collections::BTreeMap, fmt};
 
@@ -32,6 +31,7 @@ use order::{along_the_surface, renumber};
 use orient::{Turned, check_faces, orient, refuse_pinched, reversed};
 use raw::{Raw, counted, node_name};
 
+pub use self::{refine::Finer, report::report};
 pub use arrays::Arrays;
 pub use boundary::{HangingNode, Loop, boundary_edges, chains};
 pub use error::MeshError;
@@ -39,8 +39,6 @@ pub use formats::{Format, parse, read, read_to_be_tied};
 pub use junctions::Junctions;
 pub use outward::side;
 pub use quality::{Quality, quality};
-pub use refine::Finer;
-pub use report::report;
 pub use sections::{FileMaterial, FileSection};
 
 /// The bound of every scene; ten million particles take about ten gigabytes.

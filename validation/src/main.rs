@@ -8,9 +8,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use validation::cases::{self, option_cost};
-use validation::{
-    Case, Effort, JudgeError, Metric, Record, Selection, claimed, exit_code, judge, report, tables,
-};
+use validation::{Case, Effort, JudgeError, Record, Selection, claimed, exit_code, judge, report, tables};
 
 /// Counts what is allocated, for the memory that each option costs.
 #[global_allocator]
@@ -149,13 +147,6 @@ fn held(cli: &Cli, selection: &Selection) -> Result<u8, JudgeError> {
     let dots = claimed::claimed(cli.all(), selection, &|line| eprintln!("{line}"))?;
     print!("{}", claimed::table(&dots));
     let metrics = claimed::judged(&dots);
-    for Metric { name, value, unit, verdict, .. } in &metrics {
-        println!(
-            "  {name}: {} {unit}: {}",
-            value.map_or("none".into(), |value| format!("{value:.2}")),
-            verdict.word()
-        );
-    }
     let page = claimed::page(&dots)?;
     let file = cli.report.join(page.file);
     write(&file, &page.html)?;

@@ -17,10 +17,10 @@
 //! ```
 
 use super::convergence::{order, order_within};
-use crate::results::error_bars::{ErrorBar, Verdict};
+use crate::results::error_bars::{ErrorBar, SAFETY, Verdict};
 
-/// Factor on the error where three lattices show an order, and where two do not.
-const SAFETY: [f64; 2] = [2.0, 3.0];
+/// Factor on the error where two lattices show no order.
+const SAFETY_OF_TWO: f64 = 3.0;
 /// Order beyond which two lattices agree by chance: twice that of the methods.
 const CHANCE: f64 = 4.0;
 /// Factor on an error of which most is seen on a finer lattice, and orders that are believed there.
@@ -55,7 +55,7 @@ pub fn bar(own: OnLattice, others: &[OnLattice], scale: f64) -> ErrorBar {
     }
     let &[first, second, third] = &all[..] else {
         let (a, b) = (all[0], all[1]);
-        return with(Some(SAFETY[1] * share(a, b, own, 2.0)), None, Verdict::TwoLattices);
+        return with(Some(SAFETY_OF_TWO * share(a, b, own, 2.0)), None, Verdict::TwoLattices);
     };
     let differences = [first.value - second.value, second.value - third.value];
     if differences[0] * differences[1] < 0.0 {
@@ -71,13 +71,13 @@ pub fn bar(own: OnLattice, others: &[OnLattice], scale: f64) -> ErrorBar {
     let pairs = [(first, second), (second, third)].into_iter();
     let pairs = pairs.filter(|&(a, b)| chance || a == own || b == own);
     let error = pairs.map(|(a, b)| share(a, b, own, order)).fold(0.0, f64::max);
-    with(Some(SAFETY[0] * error), Some(order), Verdict::Converging)
+    with(Some(SAFETY * error), Some(order), Verdict::Converging)
 }
 
 /// The sharper bar of an answer and the number without its error, from a coarser lattice and a finer one; none where the three show no order.
 pub fn sharpened(own: OnLattice, coarser: OnLattice, finer: OnLattice) -> Option<ErrorBar> {
     let differences = [coarser.value - own.value, own.value - finer.value];
-    if !(differences[0] * differences[1] > 0.0) {
+    if differences[0] * differences[1] <= 0.0 {
         return None;
     }
     let spacings = [coarser, own, finer].map(|answer| answer.spacing);

@@ -66,17 +66,28 @@ pub(super) fn finest(scene: &Checked, threads: usize) -> Result<Refined, String>
     if !timeless {
         return Err("that is done of linear answers, of levels without time and of modes".into());
     }
-    let refused = |error: SceneError| format!("the scene is refused: {error}");
-    let (rest, own) = placed(scene, threads).map_err(refused)?;
-    let sets = kept(scene, &rest, &own);
-    let all: Vec<&KeptSet> = sets.iter().collect();
-    let alone = alone(scene);
-    let found = nearest(&alone, 0.5, &all, true).or_else(|| nearest(&alone, 0.5, &all, false));
-    found.ok_or_else(|| "the scene has no lattice of half the spacing".into())
+    alike(scene, 0.5, threads)
 }
 
+/// The lattice of all bodies alike whose spacing is nearest to so many of the scene's, sets of a lone body kept.
+///
+/// # Errors
+/// In words: a scene that has no such lattice.
+pub(super) fn alike(scene: &Checked, spacing: f64, threads: usize) -> Result<Refined, String> {
+    let refused = |error: SceneError| format!("the scene is refused: {error}");
+    let (rest, own) = placed(scene, threads).map_err(refused)?;
+    let sets = if scene.bodies.len() == 1 { kept(scene, &rest, &own) } else { Vec::new() };
+    let all: Vec<&KeptSet> = sets.iter().collect();
+    let alone = alone(scene);
+    let found = nearest(&alone, spacing, &all, true).or_else(|| nearest(&alone, spacing, &all, false));
+    found.ok_or_else(|| format!("the scene has no lattice of about {spacing:.2} of its spacing"))
+}
+
+/// Places at rest, and the particles of sets by name.
+pub(super) type Places = (Vec<Vec3>, BTreeMap<String, Vec<u32>>);
+
 /// Places at rest and the sets of the one body.
-fn placed(scene: &Checked, threads: usize) -> Result<(Vec<Vec3>, BTreeMap<String, Vec<u32>>), SceneError> {
+pub(super) fn placed(scene: &Checked, threads: usize) -> Result<Places, SceneError> {
     // Sets are kept where fields are asked for.
     let fields = Fields { every: 1, extruded: false, points: false, stresses: false };
     let shown = Scene { output: Output { fields: Some(fields), ..Output::default() }, ..alone(scene) };

@@ -4,9 +4,11 @@ use std::ops::ControlFlow;
 
 use super::bars::{OnLattice, bar, sharpened};
 use super::companions::finest;
-use super::found::{Found, Starts, run};
+use super::found::{Found, Starts, rows, run};
 use super::nested::Nested;
-use super::pairing::{Key, by_column, by_shape, key};
+use super::pairing::{Key, key};
+use super::probes::probed;
+use super::refined::Refined;
 use super::said::{holds, lacks};
 use crate::results::curve::{Column, Curve};
 use crate::results::error_bars::{ColumnErrors, CriticalError, ErrorBar, Errors, LatticeRun, Verdict};
@@ -19,6 +21,8 @@ const PLACES: [&str; 7] =
     ["time", "mode", "iterations", "negative_pivots", "residual", "unbalanced", "remaining_displacement"];
 /// Columns that are so small beside others of their unit are zero by symmetry: what differs in them is round-off.
 const VANISHING: f64 = 1e-6;
+/// Growth of time with the cells along an edge: those of a surface and its factor, or of a surface and its steps.
+const GROWTH: f64 = 2.8;
 /// Critical points that are located, and so have an error.
 const LOCATED: [&str; 2] = ["limit point", "bifurcation"];
 
@@ -40,14 +44,14 @@ impl Checked {
             ended: outcome.ended.to_string(),
         };
         let mut errors = Errors { lattices: vec![own_words], holds: holds(self), ..Errors::default() };
-        errors.lacks = found.lacks.into_iter().chain(lacks(self)).collect();
+        errors.lacks = found.lacks;
         let own = Found::of(1.0, found.rest, outcome);
         let nested = Nested::of(self, outcome);
-        let wanted = self.error.filter(|wanted| wanted.sharpen);
+        let wanted = self.error.as_ref().filter(|wanted| wanted.sharpen);
         let finer = wanted.and_then(|_| match finest(self, threads) {
             Ok(finer) => Some(finer),
             Err(why) => {
-                errors.without.push(format!("not sharpened: {why}"));
+                errors.lacks.push(format!("sharpening: {why}"));
                 None
             }
         });
@@ -55,7 +59,10 @@ impl Checked {
         let lattices: Vec<_> = lattices.chain(finer.iter().map(|finer| (finer, true))).collect();
         let (mut others, mut sharp) = (Vec::new(), None);
         for (number, (companion, last)) in lattices.iter().enumerate() {
-            progress.companion(number + 1, lattices.len(), &companion.lattice);
+            let price = price(companion.spacing).filter(|_| !*last || nested.is_none());
+            let price = price
+                .map_or_else(String::new, |price| format!(", about {price:.1} times as long as the run"));
+            progress.companion(number + 1, lattices.len(), &format!("{}{price}", companion.lattice));
             let starts = Starts { nested: nested.as_ref(), own: &own.curve, last: *last };
             match run(companion, starts, threads, progress, &mut errors) {
                 ControlFlow::Continue(found) if *last => sharp = found,
@@ -71,8 +78,45 @@ impl Checked {
             return errors;
         }
         fill(&mut errors, self, &own, (&others, sharp.as_ref()), &found.moved);
+        let itself = Refined { scene: self.clone(), spacing: 1.0, lattice: "its own lattice".into() };
+        let of = |other: &Found| found.lattices.iter().find(|lattice| lattice.spacing == other.spacing);
+        let known = others.iter().filter_map(|other| Some((of(other)?, other))).chain([(&itself, &own)]);
+        let coarsest = known.max_by(|(a, _), (b, _)| a.spacing.total_cmp(&b.spacing));
+        self.probe(coarsest, threads, progress, &mut errors);
         errors
     }
+
+    /// Runs the probes that are asked for on a lattice whose answers are known, and says what bars leave out beside.
+    fn probe(
+        &self,
+        on: Option<(&Refined, &Found)>,
+        threads: usize,
+        progress: &mut dyn Progress,
+        errors: &mut Errors,
+    ) {
+        let wanted = self.error.as_ref().map_or(&[][..], |wanted| &wanted.probes);
+        let names: Vec<String> = errors.columns.iter().map(|found| found.column.name.clone()).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let mut measured = Vec::new();
+        for ((number, &probe), (lattice, known)) in (1..).zip(wanted).zip(on.into_iter().cycle()) {
+            progress.companion(number, wanted.len(), &format!("{} on {}", probe.word(), lattice.lattice));
+            match probed(lattice, known, probe, &names, threads, progress) {
+                Ok(found) => {
+                    errors.probes.push(found);
+                    measured.push(probe);
+                }
+                Err(why) => errors.lacks.push(why),
+            }
+        }
+        let left =
+            lacks(self).into_iter().filter(|(probe, _)| probe.is_none_or(|probe| !measured.contains(&probe)));
+        errors.lacks.extend(left.map(|(_, words)| words));
+    }
+}
+
+/// How much longer than the run a finer lattice will take; none of coarser ones.
+fn price(spacing: f64) -> Option<f64> {
+    (spacing < 1.0).then(|| libm::pow(spacing, -GROWTH))
 }
 
 /// Pairs the rows and gives each number its bar.
@@ -129,7 +173,22 @@ fn fill(
             let sharper = coarsest.zip(finer).and_then(|(coarse, fine)| sharpened(answer, coarse, fine));
             sharper.filter(|_| found.verdict != Verdict::Exact).unwrap_or(found)
         });
-        errors.columns.push(ColumnErrors { column: column.clone(), bars: bars.collect() });
+        let mut bars: Vec<ErrorBar> = bars.collect();
+        others.iter().for_each(|other| widen_between(&mut bars, &other.balanced));
+        errors.columns.push(ColumnErrors { column: column.clone(), bars });
+    }
+}
+
+/// Makes bars of rows between those that were balanced no narrower than the line through the bars there: the cubic of the differences may cross zero
+/// where they do not.
+fn widen_between(bars: &mut [ErrorBar], balanced: &[usize]) {
+    for ends in balanced.windows(2) {
+        let &[from, to] = ends else { continue };
+        let (Some(first), Some(last)) = (bars[from].bar, bars[to].bar) else { continue };
+        for row in from + 1..to {
+            let share = (row - from) as f64 / (to - from) as f64;
+            bars[row].bar = bars[row].bar.map(|bar| bar.max(first + share * (last - first)));
+        }
     }
 }
 
@@ -170,22 +229,6 @@ fn scales(curve: &Curve, at: usize) -> (f64, f64) {
 fn moved_set<'a>(scene: &Checked, column: &str, moved: &'a [String]) -> Option<&'a String> {
     let probe = scene.curve.iter().find(|probe| probe.name == column)?;
     moved.iter().find(|set| **set == probe.on)
-}
-
-/// The rows of another run that answer those of a run.
-fn rows(own: &Found, other: &Found, key: &Key) -> Vec<Option<Vec<f64>>> {
-    match key {
-        Key::Only => {
-            own.curve.rows.iter().enumerate().map(|(row, _)| other.curve.rows.get(row).cloned()).collect()
-        }
-        Key::Column(at) => by_column(&own.curve, &other.curve, *at),
-        Key::Shape => {
-            let pairs = by_shape(&own.shapes(), &other.shapes());
-            (0..own.curve.rows.len())
-                .map(|row| pairs.get(row).copied().flatten().and_then(|at| other.curve.rows.get(at).cloned()))
-                .collect()
-        }
-    }
 }
 
 /// Levels of critical points, paired by kind and order.

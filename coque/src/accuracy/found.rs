@@ -6,7 +6,7 @@ use std::time::Instant;
 use sph_core::{Cell, Vec3};
 
 use super::nested::Nested;
-use super::pairing::Shapes;
+use super::pairing::{Key, Shapes, by_column, by_shape};
 use super::refined::Refined;
 use crate::results::curve::Curve;
 use crate::results::error_bars::{Errors, LatticeRun};
@@ -22,6 +22,8 @@ pub(super) struct Found {
     pub curve: Curve,
     /// Kind and level of the critical points.
     pub critical: Vec<(String, f64)>,
+    /// Rows that were balanced, the others being cubics of the level between; empty where all were.
+    pub balanced: Vec<usize>,
     rest: Vec<Vec3>,
     cells: Vec<Cell>,
     /// Places in each shape.
@@ -36,6 +38,7 @@ impl Found {
             spacing,
             curve: outcome.curve.clone(),
             critical: critical.map(|point| (point.kind.clone(), point.level)).collect(),
+            balanced: Vec::new(),
             rest,
             cells: outcome.cells.clone(),
             shapes: outcome.shapes.iter().map(|shape| shape.positions.clone()).collect(),
@@ -70,7 +73,7 @@ pub(super) fn run(
 ) -> ControlFlow<(), Option<Found>> {
     let Refined { spacing, lattice, .. } = companion;
     let begun = Instant::now();
-    let (rest, outcome) = match from_starts(companion, starts, threads, progress) {
+    let (rest, outcome, balanced) = match from_starts(companion, starts, threads, progress) {
         Ok(found) => found,
         Err(error) => {
             errors.without.push(format!("the scene is refused on {lattice}: {error}"));
@@ -86,17 +89,18 @@ pub(super) fn run(
         let rows = "; rows beyond have a bar of fewer lattices, or none";
         errors.without.push(format!("the run on {lattice} ended early: {}{rows}", outcome.ended));
     }
-    let found = (!outcome.curve.rows.is_empty()).then(|| Found::of(*spacing, rest, &outcome));
-    ControlFlow::Continue(found)
+    let found = Found { balanced, ..Found::of(*spacing, rest, &outcome) };
+    ControlFlow::Continue((!outcome.curve.rows.is_empty()).then_some(found))
 }
 
-/// Places at rest and what a run finds, its levels begun at those of another lattice; begun anew where one of them is not found from there.
+/// Places at rest, what a run finds, its levels begun at those of another lattice, and the rows that it balanced; begun anew where one of them is
+/// not found from there.
 fn from_starts(
     companion: &Refined,
     Starts { nested, own, last }: Starts<'_>,
     threads: usize,
     progress: &mut dyn Progress,
-) -> Result<(Vec<Vec3>, Outcome), SceneError> {
+) -> Result<(Vec<Vec3>, Outcome, Vec<usize>), SceneError> {
     if let Some(nested) = nested {
         let scene = &companion.scene;
         let mut begun = if last { nested.begun_at_last(scene)? } else { nested.begun(scene)? };
@@ -105,19 +109,36 @@ fn from_starts(
         model.increments = std::mem::take(&mut begun.increments);
         let mut outcome = model.run(&mut Quiet(progress));
         if !matches!(outcome.ended, Ended::Diverged(_)) && begun.is_alike(own, &outcome.curve) {
-            if !last {
-                outcome.curve = begun.at_all(own, &outcome.curve);
+            if last {
+                return Ok((rest, outcome, Vec::new()));
             }
-            return Ok((rest, outcome));
+            outcome.curve = begun.at_all(own, &outcome.curve);
+            return Ok((rest, outcome, begun.rows));
         }
     }
     let model = companion.scene.build(threads)?;
     let rest = model.body.body().configuration().rest.to_vec();
-    Ok((rest, model.run(&mut Quiet(progress))))
+    Ok((rest, model.run(&mut Quiet(progress)), Vec::new()))
+}
+
+/// The rows of another run that answer those of a run.
+pub(super) fn rows(own: &Found, other: &Found, key: &Key) -> Vec<Option<Vec<f64>>> {
+    match key {
+        Key::Only => {
+            own.curve.rows.iter().enumerate().map(|(row, _)| other.curve.rows.get(row).cloned()).collect()
+        }
+        Key::Column(at) => by_column(&own.curve, &other.curve, *at),
+        Key::Shape => {
+            let pairs = by_shape(&own.shapes(), &other.shapes());
+            (0..own.curve.rows.len())
+                .map(|row| pairs.get(row).copied().flatten().and_then(|at| other.curve.rows.get(at).cloned()))
+                .collect()
+        }
+    }
 }
 
 /// A run on another lattice, of which its rows are nobody's.
-struct Quiet<'a>(&'a mut dyn Progress);
+pub(super) struct Quiet<'a>(pub &'a mut dyn Progress);
 
 impl Progress for Quiet<'_> {
     fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {

@@ -15,9 +15,31 @@ const TWICE: usize = 2000;
 /// # Errors
 /// In words: meshes that are points, that are tied, or whose sections are those of the file; what no cloud can be made of.
 pub(super) fn finer(scene: &Checked, alone: &Scene) -> Result<Vec<Refined>, String> {
-    let shell = scene.as_shell().filter(|shell| shell.geometry.mesh().is_some());
+    let Some((file, mut surface)) = surface(scene)? else { return Ok(Vec::new()) };
+    let marched = matches!(scene.analysis, Analysis::Explicit(_));
+    let times = if surface.positions.len() <= TWICE && !marched { 2 } else { 1 };
+    let mut finer = Vec::new();
+    for time in 1..=times {
+        let arrays = surface.refined();
+        surface = arrays.surface(&file, false).map_err(refused)?;
+        let mut refined = alone.clone();
+        let nodes = arrays.points.len();
+        refined.surfaces.insert(file.clone(), Arc::new(arrays));
+        let refined = refined.check().map_err(|error| format!("the finer mesh is refused: {error}"))?;
+        let spacing = 1.0 / f64::from(1 << time);
+        finer.push(Refined { scene: refined, spacing, lattice: format!("mesh of {nodes} nodes") });
+    }
+    Ok(finer)
+}
+
+/// The surface of the one shell, with the name of its file; none where it is a lattice.
+///
+/// # Errors
+/// In words: what cannot be refined.
+pub(super) fn surface(scene: &Checked) -> Result<Option<(String, Surface)>, String> {
+    let shell = scene.as_shell();
     let Some((shell, mesh)) = shell.and_then(|shell| Some((shell, shell.geometry.mesh()?))) else {
-        return Ok(Vec::new());
+        return Ok(None);
     };
     if !shell.ties.is_empty() {
         return Err(
@@ -25,8 +47,7 @@ pub(super) fn finer(scene: &Checked, alone: &Scene) -> Result<Vec<Refined>, Stri
                 .into(),
         );
     }
-    let refused = |error: MeshError| format!("the mesh cannot be refined: {error}");
-    let mut surface: Surface = match scene.surfaces.get(&mesh.file) {
+    let surface = match scene.surfaces.get(&mesh.file) {
         Some(arrays) => arrays.surface(&mesh.file, false).map_err(refused)?,
         None => {
             let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
@@ -42,18 +63,9 @@ pub(super) fn finer(scene: &Checked, alone: &Scene) -> Result<Vec<Refined>, Stri
     if !surface.sections.is_empty() {
         return Err("a mesh with sections of its file is not refined; give them as [material] and [section], or mesh it finer".into());
     }
-    let marched = matches!(scene.analysis, Analysis::Explicit(_));
-    let times = if surface.positions.len() <= TWICE && !marched { 2 } else { 1 };
-    let mut finer = Vec::new();
-    for time in 1..=times {
-        let arrays = surface.refined();
-        surface = arrays.surface(&mesh.file, false).map_err(refused)?;
-        let mut refined = alone.clone();
-        let nodes = arrays.points.len();
-        refined.surfaces.insert(mesh.file.clone(), Arc::new(arrays));
-        let refined = refined.check().map_err(|error| format!("the finer mesh is refused: {error}"))?;
-        let spacing = 1.0 / f64::from(1 << time);
-        finer.push(Refined { scene: refined, spacing, lattice: format!("mesh of {nodes} nodes") });
-    }
-    Ok(finer)
+    Ok(Some((mesh.file.clone(), surface)))
+}
+
+fn refused(error: MeshError) -> String {
+    format!("the mesh cannot be refined: {error}")
 }

@@ -17,12 +17,14 @@ mod companions;
 mod convergence;
 mod errors;
 mod found;
+mod graded;
 mod kept;
 mod ladder;
 mod meshes;
 mod methods;
 mod nested;
 mod pairing;
+mod probes;
 mod refined;
 mod said;
 
@@ -32,6 +34,7 @@ use std::time::Duration;
 pub use bars::{OnLattice, bar};
 pub use companions::Companions;
 pub use convergence::Convergence;
+pub use graded::Graded;
 pub use ladder::{ClimbError, Ladder, Rung};
 pub use refined::Refined;
 
@@ -115,6 +118,26 @@ impl Checked {
             }
         }
         Ok(forecasts)
+    }
+}
+
+impl Checked {
+    /// The scene on a lattice of all its bodies, a fluid among them, whose spacing is about so many of its own, whole numbers of particles along every
+    /// length.
+    ///
+    /// # Errors
+    /// In words: a scene that has no such lattice.
+    pub fn alike(&self, spacing: f64, threads: usize) -> Result<Refined, String> {
+        companions::alike(self, spacing, threads)
+    }
+
+    /// Why no lattice of its can be forecast, in words; none where one can.
+    pub fn unforeseen(&self) -> Option<&'static str> {
+        if self.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some()) {
+            return Some("a surface from a file has no lattice to forecast");
+        }
+        (self.fluid().is_some() || self.bodies.len() > 1)
+            .then_some("a fluid or several bodies have no lattice to forecast")
     }
 }
 

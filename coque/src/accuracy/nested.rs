@@ -55,7 +55,7 @@ impl<'a> Nested<'a> {
         let grow = self.levels.windows(2).all(|pair| pair[1] > pair[0]) && self.levels[0] > 0.0;
         let step = if grow { count.div_ceil(BALANCED) } else { 1 };
         // Counted from the last, which is one of them.
-        self.begun_at(other, (1..=count).filter(|row| (count - row) % step == 0).collect())
+        self.begun_at(other, (1..=count).filter(|row| (count - row).is_multiple_of(step)).collect())
     }
 
     /// Another lattice, balanced at the last level only.

@@ -1,5 +1,6 @@
 //! The same scene on a coarser or finer lattice.
 
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::bounded::Positive;
 use crate::scene::error::SceneError;
 use crate::scene::{BodyScene, Checked, FluidGeometry, Geometry, PerAxis, Scene, SolidGeometry};
@@ -21,32 +22,44 @@ pub struct Refined {
 }
 
 impl Refined {
-    /// What makes the scene as it was given this one, as paths and values (`--set`); none of a mesh and of several bodies.
+    /// What makes the scene as it was given this one, as paths and values (`--set`); none of a mesh.
     pub fn overrides(&self) -> Option<Vec<(String, String)>> {
-        let scene = self.scene.first_body().ok().filter(|_| self.scene.bodies.len() == 1)?;
-        let (key, value) = match scene.body {
-            BodyScene::Shell(shell) => {
-                let (word, placing) = (shell.geometry.word(), shell.geometry.placing());
-                match (placing.particles, placing.scattered) {
-                    (_, Some(scattered)) => {
-                        (format!("{word}.scattered.spacing"), format!("{:?}", scattered.spacing.get()))
-                    }
-                    (Some(particles), None) => (format!("{word}.particles"), format!("{particles:?}")),
-                    (None, None) => return None,
-                }
-            }
-            BodyScene::Solid(solid) => match (&solid.geometry.block, &solid.geometry.arc) {
-                (Some(block), _) => {
-                    let axes = 0..block.lengths.len();
-                    let spacing: Vec<f64> = axes.map(|axis| block.spacing.along(axis)).collect();
-                    ("block.spacing".into(), format!("{spacing:?}"))
-                }
-                (None, arc) => ("arc.cells".into(), format!("{:?}", arc.as_ref()?.cells)),
-            },
-            BodyScene::Fluid(_) | BodyScene::Walls(_) => return None,
+        let bodies = self.scene.bodies_in_scene().ok()?;
+        let changed = bodies.iter().filter(|body| !matches!(body.body, BodyScene::Walls(_)));
+        let pair = |scene: &BodyInScene<'_>| {
+            let (key, value) = spaced(scene.body)?;
+            Some((scene.body_scope().path(&format!("geometry.{key}")), value))
         };
-        Some(vec![(scene.body_scope().path(&format!("geometry.{key}")), value)])
+        changed.map(pair).collect()
     }
+}
+
+/// The key below its geometry that spaces the particles of a body, and its value; none of a mesh and of walls.
+fn spaced(body: &BodyScene) -> Option<(String, String)> {
+    Some(match body {
+        BodyScene::Shell(shell) => {
+            let (word, placing) = (shell.geometry.word(), shell.geometry.placing());
+            match (placing.particles, placing.scattered) {
+                (_, Some(scattered)) => {
+                    (format!("{word}.scattered.spacing"), format!("{:?}", scattered.spacing.get()))
+                }
+                (Some(particles), None) => (format!("{word}.particles"), format!("{particles:?}")),
+                (None, None) => return None,
+            }
+        }
+        BodyScene::Solid(solid) => match (&solid.geometry.block, &solid.geometry.arc) {
+            (Some(block), _) => {
+                let axes = 0..block.lengths.len();
+                let spacing: Vec<f64> = axes.map(|axis| block.spacing.along(axis)).collect();
+                ("block.spacing".into(), format!("{spacing:?}"))
+            }
+            (None, arc) => ("arc.cells".into(), format!("{:?}", arc.as_ref()?.cells)),
+        },
+        BodyScene::Fluid(fluid) => {
+            (format!("{}.spacing", fluid.geometry.word()), format!("{:?}", fluid.geometry.spacing()))
+        }
+        BodyScene::Walls(_) => return None,
+    })
 }
 
 impl Checked {

@@ -1,6 +1,6 @@
 //! What a bar holds, and what it does not, in words.
 
-use crate::scene::{Analysis, BodyScene, Checked};
+use crate::scene::{Analysis, BodyScene, Checked, ErrorProbe};
 
 /// What the bars of a scene hold.
 pub(super) fn holds(scene: &Checked) -> Vec<String> {
@@ -18,32 +18,42 @@ pub(super) fn holds(scene: &Checked) -> Vec<String> {
     held
 }
 
-/// What they do not hold.
-pub(super) fn lacks(scene: &Checked) -> Vec<String> {
+/// What they do not hold, each with the probe that tells how much it is, where there is one.
+pub(super) fn lacks(scene: &Checked) -> Vec<(Option<ErrorProbe>, String)> {
     let mut left = Vec::new();
     match &scene.analysis {
         Analysis::Explicit(explicit) => {
             if let Some(path) = &explicit.quasi_static {
-                left.push(format!(
-                    "what is missing from rest (up to {} % of each answer)",
-                    100.0 * path.accuracy.get()
-                ));
+                let share = 100.0 * path.accuracy.get();
+                let words = format!("what is missing from rest (up to {share} % of each answer)");
+                left.push((Some(ErrorProbe::Rest), words));
             } else {
-                left.push("time between records".into());
+                left.push((Some(ErrorProbe::Records), "time between records".into()));
             }
         }
-        Analysis::Relaxation(_) => left.push("what is missing from rest (`tolerance`)".into()),
-        Analysis::ArcLength(_) => left.push("the polynomial between points of the path (arc step)".into()),
+        Analysis::Relaxation(_) => {
+            left.push((Some(ErrorProbe::Rest), "what is missing from rest (`tolerance`)".into()));
+        }
+        Analysis::ArcLength(_) => {
+            let words = "the polynomial between points of the path (arc step)";
+            left.push((Some(ErrorProbe::Arc), words.into()));
+        }
         _ => {}
     }
     for body in scene.bodies.values() {
         match body {
-            BodyScene::Shell(_) => left.push("what a shell leaves out of a solid".into()),
+            BodyScene::Shell(_) => left.push((None, "what a shell leaves out of a solid".into())),
             BodyScene::Solid(solid) if solid.galerkin().is_some() => {
-                left.push("the support of the shape functions (so many spacings)".into());
+                let words = "the support of the shape functions (so many spacings)";
+                left.push((Some(ErrorProbe::Support), words.into()));
             }
-            BodyScene::Solid(_) => left.push("the number of spacings in a horizon".into()),
-            BodyScene::Fluid(_) => left.push("the sound speed and the smoothing length of the fluid".into()),
+            BodyScene::Solid(_) => {
+                left.push((Some(ErrorProbe::Horizon), "the number of spacings in a horizon".into()));
+            }
+            BodyScene::Fluid(_) => {
+                left.push((Some(ErrorProbe::SoundSpeed), "the sound speed of the fluid".into()));
+                left.push((Some(ErrorProbe::Smoothing), "the smoothing length of the fluid".into()));
+            }
             BodyScene::Walls(_) => {}
         }
     }

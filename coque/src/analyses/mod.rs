@@ -78,7 +78,7 @@ impl Model {
             driven: self.driven,
             force_unit: self.driven.map(|_| self.task.units.symbol(Quantity::Force)),
             supports: None,
-            frames: sink.map(|sink| Frames::new(sink, &self.task, driven)),
+            frames: sink.map(|sink| Frames::new(sink, &self.task, driven, self.barred.is_some())),
             progress,
             checkpoints,
         }

@@ -82,11 +82,11 @@ impl StartedLevels {
         (self.found, self.solver) = (self.found + 1, Some(solver));
         let last = self.list.last().copied().unwrap_or(1.0);
         let internal = run.record.energies.internal;
-        let told = run.tell(level / last, run.record.steps, level, internal);
+        let flow = run.tell(level / last, run.record.steps, level, internal);
         if self.found == self.list.len() {
             return ControlFlow::Break(Ended::Done);
         }
-        if told.is_break() {
+        if flow.is_break() {
             return ControlFlow::Break(Ended::Interrupted { time: 0.0, level });
         }
         ControlFlow::Continue(())

@@ -19,7 +19,7 @@ impl Checked {
     /// whatever the layers below refuse.
     pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
         let mut model = self.body_model(threads)?;
-        model.barred = self.error.map(|_| Box::new(self.clone()));
+        model.barred = self.error.as_ref().map(|_| Box::new(self.clone()));
         Ok(model)
     }
 

@@ -28,6 +28,8 @@ pub struct FieldRequest<'a> {
     pub units: Units,
     /// Whether stresses are wanted.
     pub stresses: bool,
+    /// Whether it is wanted where the lattice of a shell is too coarse, as far as strains tell.
+    pub indicator: bool,
     /// The particle whose prescribed motion drives an analysis without time: it bears a reaction though no support
     /// holds it.
     pub driven: Option<u32>,

@@ -1,10 +1,11 @@
 //! `coque run --accuracy`: which lattice is run, at what price, and whether its bars ask for a finer one.
 
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::time::Duration;
 
 use crate::accuracy::{Asked, ClimbError, Refined};
-use crate::{Checked, Outcome, Verdict};
+use crate::{Checked, Outcome, Silent, Verdict};
 
 use super::accuracy::{percent, time};
 use super::stderr::{Refused, say};
@@ -19,6 +20,9 @@ const WIDER: f64 = 1.6;
 /// Growth of time with the cells along an edge: those of a surface and its factor.
 const GROWTH: f64 = 2.8;
 
+/// The finer mesh of a run, in its folder.
+const MESH: &str = "finer.inp";
+
 /// A lattice to be run.
 pub struct Wanted {
     /// What of the scene it replaces.
@@ -32,6 +36,10 @@ pub struct Wanted {
 /// # Errors
 /// A scene that has no lattice to refine or measures nothing; a forecast that cannot be made in its time.
 pub fn forecast(scene: &Checked, accuracy: f64, threads: usize) -> Result<Wanted, Refused> {
+    if let Some(why) = scene.unforeseen() {
+        say(&format!("{why}: its own first, then a finer one if its bars ask for it"));
+        return Ok(Wanted { lattice: Vec::new(), again: true });
+    }
     let within = Duration::from_secs_f64(WITHIN);
     let asked = Asked { accuracy: accuracy / WIDER, within, lattices: LATTICES, threads };
     let forecasts =
@@ -63,7 +71,13 @@ fn lattice(refined: &Refined) -> Vec<(String, String)> {
 }
 
 /// A finer lattice where the bars of a run are wider than an accuracy; none where they are not, or where refinement does not help.
-pub fn refine(scene: &Checked, outcome: &Outcome, measured: &[String], accuracy: f64) -> Option<Wanted> {
+pub fn refine(
+    scene: &Checked,
+    outcome: &Outcome,
+    measured: &[String],
+    accuracy: f64,
+    folder: &Path,
+) -> Option<Wanted> {
     let errors = outcome.summary.errors.as_ref()?;
     let modes = scene.analysis.kind().gives_modes;
     let own = errors.columns.iter().filter(|found| modes || measured.contains(&found.column.name));
@@ -80,13 +94,42 @@ pub fn refine(scene: &Checked, outcome: &Outcome, measured: &[String], accuracy:
         return None;
     }
     let finer = libm::pow(width / accuracy, 1.0 / order).clamp(FINER[0], FINER[1]);
-    let refined = scene.refined(finer).ok()?;
-    let seconds = outcome.summary.record.wall_seconds * libm::pow(1.0 / refined.spacing, GROWTH);
+    let (next, spacing, words) = match finer_one(scene, finer, folder) {
+        Ok(found) => found,
+        Err(why) => {
+            say(&format!(
+                "the bar of {column} is {} of its greatest value; no finer one: {why}",
+                percent(width)
+            ));
+            return None;
+        }
+    };
+    let seconds = outcome.summary.record.wall_seconds * libm::pow(1.0 / spacing, GROWTH);
     say(&format!(
-        "the bar of {column} is {} of its greatest value: once more on {}, about {}",
+        "the bar of {column} is {} of its greatest value: once more on {words}, about {}",
         percent(width),
-        refined.lattice,
         time(seconds)
     ));
-    Some(Wanted { lattice: lattice(&refined), again: false })
+    Some(Wanted { lattice: next, again: false })
+}
+
+/// What of a scene is replaced by a finer lattice or mesh; its spacing over that of before; in words.
+type Finer = (Vec<(String, String)>, f64, String);
+
+/// A finer lattice or mesh, which goes into the folder of the run.
+fn finer_one(scene: &Checked, finer: f64, folder: &Path) -> Result<Finer, String> {
+    if scene.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some()) {
+        let arrays = scene.graded(None, 1, &mut Silent)?.arrays;
+        let file = folder.join(MESH);
+        mesh_io::write_whole(&file, |to| arrays.write_inp(to)).map_err(|error| error.to_string())?;
+        let file = std::path::absolute(&file).map_err(|error| error.to_string())?;
+        let scope = scene.first_body().map_err(|error| error.to_string())?.body_scope();
+        let replaced = (scope.path("geometry.mesh.file"), format!("{:?}", file.display().to_string()));
+        return Ok((vec![replaced], 0.5, format!("a mesh of {} nodes", arrays.points.len())));
+    }
+    let refined = match scene.unforeseen() {
+        Some(_) => scene.alike(1.0 / finer, 1)?,
+        None => scene.refined(finer).map_err(|error| error.to_string())?,
+    };
+    Ok((lattice(&refined), refined.spacing, refined.lattice.clone()))
 }

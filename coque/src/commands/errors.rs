@@ -1,8 +1,12 @@
 //! The errors of a run on the terminal: a line a number.
 
-use crate::{Column, ErrorBar, Errors, Outcome, Verdict};
+use std::path::Path;
 
-use super::stderr::say;
+use crate::{
+    Column, ColumnErrors, Costs, ErrorBar, Errors, LatticeRun, Outcome, ProbedColumn, Verdict, costs_svg,
+};
+
+use super::stderr::{Refused, say};
 
 /// Most lines of one column, as of modes.
 const MOST: usize = 12;
@@ -32,6 +36,11 @@ pub fn report(outcome: &Outcome, own: &[String]) {
     if !errors.columns.is_empty() {
         say(&format!("  a bar holds: {}; not in it: {}", list(&errors.holds), list(&errors.lacks)));
     }
+    for probe in &errors.probes {
+        let own = probe.columns.iter().filter(|column| modes || own.contains(&column.name));
+        let changes: Vec<String> = own.map(change).collect();
+        say(&format!("  {} on {}: {}", probe.changed, probe.lattice, changes.join(", ")));
+    }
     if let Some(cost) = errors.cost() {
         let others = errors.lattices.iter().skip(1).map(|run| run.lattice.clone());
         say(&format!(
@@ -40,6 +49,41 @@ pub fn report(outcome: &Outcome, own: &[String]) {
         ));
     }
     errors.without.iter().for_each(|why| say(&format!("  no bar: {why}")));
+}
+
+/// Draws the error of each measured number on each lattice over the time that it took: at the last record, as its order has it.
+///
+/// # Errors
+/// Numbers without an order; a file that cannot be written.
+pub fn chart(errors: &Errors, own: &[String], title: &str, file: &Path) -> Result<(), Refused> {
+    let line = |found: &ColumnErrors| {
+        let last = found.bars.last()?;
+        let (error, order) = (last.convergence()?, last.order?);
+        let greatest = found.bars.iter().fold(0.0, |most: f64, bar| most.max(bar.value.abs()));
+        let mut lattices: Vec<&LatticeRun> = errors.lattices.iter().collect();
+        lattices.sort_by(|a, b| b.spacing.total_cmp(&a.spacing));
+        let runs = lattices.iter().map(|run| [run.seconds, error / greatest * libm::pow(run.spacing, order)]);
+        Some(Costs { method: found.column.name.clone(), runs: runs.collect() })
+    };
+    let measured = errors.columns.iter().filter(|found| own.contains(&found.column.name));
+    let costs: Vec<Costs> = measured.filter_map(line).collect();
+    if costs.is_empty() {
+        return Err("no chart: no measured number shows an order on these lattices\n".to_string().into());
+    }
+    costs_svg(&costs, title, file).map_err(|error| format!("{error}\n"))?;
+    say(&format!("errors over times: {}", file.display()));
+    Ok(())
+}
+
+/// What a probe changes of a column: `w_edge by 1.2e-3 mm`, with the greatest change where that is another.
+fn change(column: &ProbedColumn) -> String {
+    let ProbedColumn { name, unit, last, greatest } = column;
+    let unit = if unit == "-" { String::new() } else { format!(" {unit}") };
+    match last {
+        Some(last) if last.abs() >= 0.5 * greatest => format!("{name} by {last:+.1e}{unit}"),
+        Some(last) => format!("{name} by {last:+.1e}{unit}, {greatest:.1e}{unit} on the way"),
+        None => format!("{name} by up to {greatest:.1e}{unit}"),
+    }
 }
 
 /// `7.46139 ± .0009 mm (order 2.0, three lattices, converging)`.

@@ -12,6 +12,7 @@ mod errors;
 mod examples;
 mod mesh;
 mod plot;
+mod refine;
 mod resume;
 mod run;
 mod starter;
@@ -63,6 +64,9 @@ enum Command {
     /// Run a scene for a list of values, or for every combination of several; one table out.
     #[command(after_help = sweep::HELP)]
     Sweep(sweep::Sweep),
+    /// Write a scene on a finer mesh: all over, or where the estimated error is.
+    #[command(after_help = refine::HELP)]
+    Refine(refine::Refine),
     /// Write a commented scene to start from: by three questions, or an example.
     #[command(after_help = templates::NEW_HELP)]
     New(templates::New),
@@ -96,6 +100,7 @@ Start here:
   coque check ring.toml             what it models, what it leaves out, what a run will cost
   coque check ring.toml --accuracy 0.5%     which lattice and analysis that takes
   coque run ring.toml --error       every number with its error, from runs on coarser lattices
+  coque refine ring.toml --by 50%   a finer mesh where the error is
   coque list                        what a scene may name
   coque run --help                  options, examples, where results are
   coque mesh panel.msh              what a mesh holds, and what is wrong with it
@@ -133,6 +138,7 @@ fn obey(command: Command, stop: &Arc<Stop>) -> Result<u8, Refused> {
         Command::Plot(plot) => plot::carry_out(&plot).map(|()| DONE),
         Command::Resume(resume) => resume::carry_out(&resume, stop),
         Command::Sweep(sweep) => sweep::carry_out(&sweep, stop),
+        Command::Refine(refine) => refine::carry_out(&refine, stop).map(|()| DONE),
         Command::New(new) => templates::new(&new, stop),
         Command::Examples(examples) => examples::carry_out(&examples).map(|()| DONE),
         Command::Check(check) => check::carry_out(&check).map(|()| DONE),

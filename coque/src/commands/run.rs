@@ -36,6 +36,9 @@ pub struct Run {
     /// coarse lattices, its price is said, and it is refined once more if the bars are wider.
     #[arg(long, value_name = "SHARE", value_parser = super::accuracy::share)]
     accuracy: Option<f64>,
+    /// Draw the errors of the measured numbers over the time that each lattice took into this file, SVG; asks for errors.
+    #[arg(long, value_name = "FILE")]
+    chart: Option<PathBuf>,
     /// Show the run in the browser, on the way and at its end; a scene without [output.fields] gets them, with stresses.
     #[arg(long)]
     view: bool,
@@ -44,7 +47,16 @@ pub struct Run {
 impl Run {
     /// A run with nothing replaced, shown in the browser.
     pub fn shown(scene: PathBuf) -> Self {
-        Self { scene, out: None, threads: 1, replaced: Vec::new(), error: false, accuracy: None, view: true }
+        Self {
+            scene,
+            out: None,
+            threads: 1,
+            replaced: Vec::new(),
+            error: false,
+            accuracy: None,
+            chart: None,
+            view: true,
+        }
     }
 }
 
@@ -60,6 +72,7 @@ Examples:
   coque run scenes/panel.toml --set 'output.fields={ stresses = true }'     then open out/panel/fields/shell.pvd
   coque run scenes/ring.toml --set output.checkpoint_every=60        then `coque resume out/ring` if it was stopped
   coque run scenes/ring.toml --set analysis.static.levels=8 --error  each number with its error
+  coque run scenes/scordelis-lo.toml --error --chart roof.svg        the error of each number over the time that it takes
   coque run scenes/scordelis-lo.toml --accuracy 0.5%                 on the lattice that takes, price first
   coque run scenes/panel.toml --set 'analysis.arc-length.stop={ column = \"w_crown\", above = 30 }'
 
@@ -99,7 +112,7 @@ pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
         replaced.push(("output.fields".into(), "{ stresses = true }".into()));
         (scene, _) = read_scene(&run.scene, &replaced)?;
     }
-    if (run.error || run.accuracy.is_some()) && scene.error.is_none() {
+    if (run.error || run.accuracy.is_some() || run.chart.is_some()) && scene.error.is_none() {
         replaced.push(("error".into(), "{}".into()));
         (scene, _) = read_scene(&run.scene, &replaced)?;
     }
@@ -108,7 +121,9 @@ pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
         let model = build(&scene, run.threads.into())?;
         let folder = take(&out)?;
         stop.begin();
-        return begin(run, model, &folder, text, replaced, stop).map(|(code, _)| code);
+        let measured = model.measured();
+        let (code, outcome) = begin(run, model, &folder, text, replaced, stop)?;
+        return draw(run, &outcome, &measured).map(|()| code);
     };
     let mut wanted = forecast(&scene, accuracy, run.threads.into())?;
     let folder = take(&out)?;
@@ -121,12 +136,18 @@ pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
         let model = build(&scene, run.threads.into())?;
         let measured = model.measured();
         let (code, outcome) = begin(run, model, &folder, text, replaced, stop)?;
-        let next = again.then(|| refine(&scene, &outcome, &measured, accuracy)).flatten();
+        let next = again.then(|| refine(&scene, &outcome, &measured, accuracy, folder.path())).flatten();
         match next.filter(|_| code == DONE && !stop.asked()) {
             Some(next) => wanted = next,
-            None => return Ok(code),
+            None => return draw(run, &outcome, &measured).map(|()| code),
         }
     }
+}
+
+/// Draws the errors over the times of the lattices, if that is asked for.
+fn draw(run: &Run, outcome: &Outcome, measured: &[String]) -> Result<(), Refused> {
+    let (Some(file), Some(errors)) = (&run.chart, &outcome.summary.errors) else { return Ok(()) };
+    errors::chart(errors, measured, &outcome.summary.title, file)
 }
 
 /// Runs a model that was built of a scene with values replaced, into its folder.

@@ -58,7 +58,14 @@ impl<'a> Frame<'a> {
         let Instant { time, level } = at;
         let marched = matches!(task.analysis, Analysis::Explicit(_));
         let state = if marched { State::Moving } else { State::Balance };
-        let shown = FieldRequest { state, units: task.units, stresses: false, driven, forces: None };
+        let shown = FieldRequest {
+            state,
+            units: task.units,
+            stresses: false,
+            indicator: false,
+            driven,
+            forces: None,
+        };
         let along = if task.analysis.kind().passes_time { time } else { level };
         Self { body, shown, along, level, time }
     }
@@ -125,6 +132,8 @@ pub(crate) struct Frames<'a> {
     along: Along,
     driven: Option<u32>,
     units: Units,
+    /// Whether frames show where the lattice is too coarse.
+    indicator: bool,
     /// Frames that the run had to show so far.
     pub(crate) offered: u64,
     /// Frames that the sink took.
@@ -143,7 +152,12 @@ enum Along {
 }
 
 impl<'a> Frames<'a> {
-    pub(crate) fn new(sink: &'a mut dyn FieldSink, task: &Task, driven: Option<u32>) -> Self {
+    pub(crate) fn new(
+        sink: &'a mut dyn FieldSink,
+        task: &Task,
+        driven: Option<u32>,
+        indicator: bool,
+    ) -> Self {
         let (state, along) = match &task.analysis {
             Analysis::Explicit(explicit) if explicit.quasi_static.is_some() => (State::Moving, Along::Level),
             Analysis::Explicit(_) => (State::Moving, Along::Time),
@@ -154,7 +168,7 @@ impl<'a> Frames<'a> {
         };
         let every = task.output.fields.map_or(1, |fields| fields.every).max(1);
         let units = task.units;
-        Self { sink, every, state, along, driven, units, offered: 0, taken: 0, failure: None }
+        Self { sink, every, state, along, driven, units, indicator, offered: 0, taken: 0, failure: None }
     }
 
     /// Hands a frame on if its turn has come; `Break` if the sink cannot go on.
@@ -185,7 +199,8 @@ impl<'a> Frames<'a> {
                 Along::Number(first) => (first + number) as f64,
             };
             let Self { state, driven, units, .. } = *self;
-            let shown = FieldRequest { state, units, stresses: false, driven, forces };
+            let indicator = self.indicator;
+            let shown = FieldRequest { state, units, stresses: false, indicator, driven, forces };
             let frame = Frame { body, shown, along, level, time };
             match self.sink.frame(&frame) {
                 Ok(()) => self.taken += 1,

@@ -58,6 +58,20 @@ pub struct ErrorBar {
     pub corrected: Option<f64>,
 }
 
+impl ErrorBar {
+    /// The error of the number without the safety of its bar, where the lattices show an order; in its unit.
+    pub fn convergence(&self) -> Option<f64> {
+        match self.verdict {
+            Verdict::Converging => self.bar.map(|bar| bar / SAFETY),
+            Verdict::Sharpened => self.corrected.map(|corrected| (self.value - corrected).abs()),
+            _ => None,
+        }
+    }
+}
+
+/// The factor of a bar on the error that three lattices show.
+pub(crate) const SAFETY: f64 = 2.0;
+
 /// The errors of a column, a row each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnErrors {
@@ -90,6 +104,32 @@ pub struct LatticeRun {
     pub ended: String,
 }
 
+/// What one number of the method, changed, changes of the answers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Probed {
+    /// What was changed, in words.
+    pub changed: String,
+    /// The lattice that it was run on.
+    pub lattice: String,
+    /// Wall time \[s\].
+    pub seconds: f64,
+    /// What it changes of the columns.
+    pub columns: Vec<ProbedColumn>,
+}
+
+/// What a probe changes of a column.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProbedColumn {
+    /// The column.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// Change of its last number, with its sign.
+    pub last: Option<f64>,
+    /// Greatest change of its numbers.
+    pub greatest: f64,
+}
+
 /// The errors of a run, and what they rest on.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Errors {
@@ -103,6 +143,8 @@ pub struct Errors {
     pub holds: Vec<String>,
     /// What they do not hold.
     pub lacks: Vec<String>,
+    /// What numbers of the method change of the answers, where that was asked for.
+    pub probes: Vec<Probed>,
     /// Where there is no bar, and why.
     pub without: Vec<String>,
 }
@@ -168,6 +210,8 @@ struct Basis<'a> {
     critical: &'a [CriticalError],
     holds: &'a [String],
     not_in_it: &'a [String],
+    #[serde(skip_serializing_if = "<[Probed]>::is_empty")]
+    probes: &'a [Probed],
     without_bar: &'a [String],
 }
 
@@ -183,10 +227,10 @@ impl Serialize for Errors {
             Some((found.column.name.as_str(), entry))
         });
         let columns: BTreeMap<&str, Entry<'_>> = entries.collect();
-        let Self { lattices, critical, holds, lacks, without, .. } = self;
+        let Self { lattices, critical, holds, lacks, probes, without, .. } = self;
         let mut map = serializer.serialize_map(Some(2))?;
         map.serialize_entry("errors", &columns)?;
-        let basis = Basis { lattices, critical, holds, not_in_it: lacks, without_bar: without };
+        let basis = Basis { lattices, critical, holds, not_in_it: lacks, probes, without_bar: without };
         map.serialize_entry("error_basis", &basis)?;
         map.end()
     }

@@ -55,7 +55,7 @@ pub use fluid::{FluidMaterial, FluidScene, Liquid};
 pub use imperfection::Imperfection;
 pub use levels::Levels;
 pub use loads::{Axis, Couple, Force, Gravity, Load, LoadKind, Pressure, Traction};
-pub use output::{ErrorBars, Fields, Output, Plot};
+pub use output::{ErrorBars, ErrorProbe, Fields, Output, Plot};
 pub use per_axis::PerAxis;
 pub use problem::{BodyScene, Scene};
 pub use sets::{Box3, Layer, OnPlane, Region};

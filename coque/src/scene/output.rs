@@ -37,13 +37,39 @@ pub struct Fields {
 
 /// The error of every number, from runs on coarser lattices, finer where there are none: in `curve.csv` beside each column, as a band in the plot,
 /// in `summary.json`.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ErrorBars {
     /// Runs a lattice of half the spacing as well, of a linear answer, of modes and of the last level of a static analysis, which begins at that
     /// of the run: its numbers come with a bar that is hardly larger than their error, and corrected by it.
     #[serde(default)]
     pub sharpen: bool,
+    /// What other lattices do not show: one run each, on the coarsest lattice, with that one number of the method changed. What it changes of each
+    /// measured number is said beside the bar.
+    #[serde(default)]
+    pub probes: Vec<ErrorProbe>,
+}
+
+/// A number of the method that a run is made with another value of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ErrorProbe {
+    /// Half the time step, of a march.
+    Step,
+    /// A tenth of what may be missing from rest, of a quasi-static march and of a relaxation.
+    Rest,
+    /// Half the first arc, of a path by arc length.
+    Arc,
+    /// Twice the records, of a transient march.
+    Records,
+    /// A horizon of a third more spacings, of bonds.
+    Horizon,
+    /// Shape functions of a fifth more support, of Galerkin solids.
+    Support,
+    /// A sound speed 1.41 times as high, of a fluid.
+    SoundSpeed,
+    /// A smoothing length a tenth larger, of a fluid.
+    Smoothing,
 }
 
 /// Which column is drawn over which.
@@ -54,6 +80,22 @@ pub struct Plot {
     pub x: String,
     /// Column along the vertical axis.
     pub y: String,
+}
+
+impl ErrorProbe {
+    /// Its name in a scene.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Step => "step",
+            Self::Rest => "rest",
+            Self::Arc => "arc",
+            Self::Records => "records",
+            Self::Horizon => "horizon",
+            Self::Support => "support",
+            Self::SoundSpeed => "sound-speed",
+            Self::Smoothing => "smoothing",
+        }
+    }
 }
 
 fn each() -> u64 {

@@ -6,6 +6,11 @@ use crate::vectors::{dot, norm};
 use crate::{Equilibrium, EquilibriumError, Increment, SymmetricSolver};
 
 impl Newton {
+    /// Takes note that the caller has moved the state: the factor at hand is none of it.
+    pub fn has_moved(&mut self) {
+        (self.factored, self.answer) = (None, None);
+    }
+
     /// Begins a path: the sense of scale is that of its start; a factor of the same state by the same stiffnesses serves on.
     pub(crate) fn begin<E: Equilibrium + ?Sized>(
         &mut self,

@@ -1,5 +1,7 @@
 //! Surfaces from arrays in memory: the same checks as those of files.
 
+mod written;
+
 use std::collections::BTreeMap;
 
 use super::raw::Raw;

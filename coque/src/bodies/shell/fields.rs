@@ -8,6 +8,7 @@ use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use sph_core::{Cell, Vec3};
 use sph_shell::{Formulation, PointResult, Shell};
 
+use super::indicator::indicator;
 use super::linear_forces::LinearForces;
 use crate::bodies::sampled::{face_stress, von_mises};
 use crate::bodies::{FieldRequest, FieldSource, Part, State};
@@ -30,7 +31,7 @@ pub(crate) fn fields<'a>(shell: &'a Shell, shown: &FieldRequest<'a>) -> Box<dyn 
     };
     let (linear, reactions) =
         linear.map_or((None, None), |found| (Some(found.points), Some(found.reactions)));
-    let results = (shown.stresses && forces).then(|| {
+    let results = ((shown.stresses || shown.indicator) && forces).then(|| {
         linear.unwrap_or_else(|| {
             let mut results = vec![PointResult::default(); shell.reference().operator.points.len()];
             shell.point_results(&mut results);
@@ -79,6 +80,7 @@ impl Content<'_> {
         let points = rows(shell.len(), |a| xyz(shell.position(a)));
         to.geometry(&points, Connectivity { count: self.cells(), cell: &cell })?;
         self.particles(to)?;
+        self.indicator(to)?;
         self.stresses(to)
     }
 
@@ -200,8 +202,18 @@ impl Content<'_> {
         }
     }
 
+    /// Where strains are sampled at the cells, how far those of a cell are from what its neighbours make of them.
+    fn indicator(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        let results = self.results.as_ref().filter(|_| self.shown.indicator && self.place() == At::Cells);
+        let Some(results) = results else { return Ok(()) };
+        let found = indicator(self.shell, results);
+        let all = rows(found.len(), |i| [found[i] as f32]);
+        self.put(to, At::Cells, "error_indicator", Quantity::Ratio, &[], Values::Single(&all))
+    }
+
     fn stresses(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
-        let Some(count) = self.results.as_ref().map(|results| results.len()) else { return Ok(()) };
+        let results = self.results.as_ref().filter(|_| self.shown.stresses);
+        let Some(count) = results.map(|results| results.len()) else { return Ok(()) };
         self.derived(to, "t1", Quantity::Ratio, XYZ, |r| r.t1)?;
         self.derived(to, "membrane_strain", Quantity::Ratio, DOUBLED, |r| r.membrane)?;
         self.derived(to, "curvature", Quantity::Curvature, DOUBLED, |r| r.curvature)?;
@@ -244,7 +256,8 @@ impl Content<'_> {
     /// The von Mises stresses of both faces of a homogeneous section: so many rows, each of the sampling point that `of`
     /// gives for its number.
     fn faces(&self, to: &mut dyn FieldWriter, count: usize, of: impl Fn(usize) -> usize) -> io::Result<()> {
-        let Some(results) = self.results.as_ref().filter(|_| self.shell.homogeneous()) else { return Ok(()) };
+        let wanted = self.shown.stresses && self.shell.homogeneous();
+        let Some(results) = self.results.as_ref().filter(|_| wanted) else { return Ok(()) };
         for (name, side) in [("von_mises_top", ShellFace::Top), ("von_mises_bottom", ShellFace::Bottom)] {
             let all = rows(count, |i| [von_mises(self.at_face(results, of(i), side)) as f32]);
             self.put(to, self.place(), name, Quantity::Stress, &[], Values::Single(&all))?;

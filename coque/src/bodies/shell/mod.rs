@@ -11,6 +11,7 @@ mod describe;
 mod edges;
 mod fields;
 pub(crate) mod imported;
+mod indicator;
 mod linear_forces;
 mod material;
 mod own_contact;

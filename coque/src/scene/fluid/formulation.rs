@@ -59,11 +59,20 @@ pub enum FluidMethod {
 impl WeaklyCompressible {
     /// Smoothing length in spacings \[–\], that of the method where it is left out.
     pub fn smoothing(&self) -> f64 {
-        let usual = match self.method {
+        self.smoothing.map_or_else(|| self.usual().smoothing, |smoothing| smoothing.get())
+    }
+
+    /// Courant number \[–\], that of the method where it is left out.
+    pub fn courant(&self) -> f64 {
+        self.courant.map_or_else(|| self.usual().courant, |courant| courant.get())
+    }
+
+    /// What the method has where nothing is said.
+    fn usual(&self) -> Formulation {
+        match self.method {
             FluidMethod::KickDriftKick => Formulation::default(),
             FluidMethod::Source => Formulation::published(),
-        };
-        self.smoothing.map_or(usual.smoothing, |smoothing| smoothing.get())
+        }
     }
 }
 

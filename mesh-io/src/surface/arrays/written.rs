@@ -1,4 +1,4 @@
-//! A surface as a file: Abaqus `.inp` with its sets, which [`super::read`] reads back to the same numbers.
+//! A surface as a file: Abaqus `.inp` with its sets, which [`crate::surface::read`] reads back to the same numbers.
 
 use std::io::{self, Write};
 

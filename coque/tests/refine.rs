@@ -1,0 +1,172 @@
+//! Finer meshes where strains ask for them: a plate with a hole, a roof that becomes a mesh, what is refused.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+use std::sync::Arc;
+
+use common::{overridden, ran, scenes};
+use coque::accuracy::Graded;
+use coque::mesh::Arrays;
+use coque::{Checked, Silent};
+
+/// A quarter of a square plate of half width five with a hole of radius one, pulled on the side x = 5.
+const PLATE: &str = r#"
+    title = "Plate with a hole, a quarter"
+    units = { length = "m", force = "N", time = "s" }
+    geometry.mesh = { file = "plate" }
+    material.elastic = { young = 1e4, poisson = 0.3, density = 1.0 }
+    section.homogeneous = { thickness = 0.2 }
+    supports = [
+        { on = "y0", symmetry = { normal = [0.0, 1.0, 0.0] } },
+        { on = "x0", symmetry = { normal = [1.0, 0.0, 0.0] } },
+        { on = "all", held = { displacement = [[0.0, 0.0, 1.0]] } },
+    ]
+    loads = [{ on = "right", force = { total = [5.0, 0.0, 0.0] } }]
+    analysis.linear = {}
+    curve = [
+        { name = "v_notch", of = "displacement", on = "notch", direction = [0.0, -1.0, 0.0] },
+        { name = "u_side", of = "displacement", on = "side", direction = [1.0, 0.0, 0.0] },
+    ]
+"#;
+
+/// n cells round the hole and from it to the sides.
+fn plate(n: u32) -> Arrays {
+    let at = |i: u32, j: u32| i * (n + 1) + j;
+    let point = |i: u32, j: u32| {
+        let angle = std::f64::consts::FRAC_PI_2 * f64::from(i) / f64::from(n);
+        // On the hole and on the sides, ends exactly on the planes of symmetry.
+        let (hole, side) = match i {
+            0 => ([1.0, 0.0], [5.0, 0.0]),
+            i if i == n => ([0.0, 1.0], [0.0, 5.0]),
+            i if 2 * i <= n => ([libm::cos(angle), libm::sin(angle)], [5.0, 5.0 * libm::tan(angle)]),
+            _ => ([libm::cos(angle), libm::sin(angle)], [5.0 / libm::tan(angle), 5.0]),
+        };
+        let share = f64::from(j) / f64::from(n);
+        [0, 1].map(|k| hole[k] + share * (side[k] - hole[k]))
+    };
+    let all = || (0..=n).flat_map(|i| (0..=n).map(move |j| (i, j)));
+    let cells = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+    let set =
+        |of: &dyn Fn(u32, u32) -> bool| all().filter(|&(i, j)| of(i, j)).map(|(i, j)| at(i, j)).collect();
+    Arrays {
+        points: all().map(|(i, j)| point(i, j)).map(|[x, y]| [x, y, 0.0]).collect(),
+        faces: cells.map(|(i, j)| [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)]).collect(),
+        sets: BTreeMap::from([
+            ("y0".into(), set(&|i, _| i == 0)),
+            ("x0".into(), set(&|i, _| i == n)),
+            ("right".into(), set(&|i, j| j == n && 2 * i <= n)),
+            ("notch".into(), set(&|i, j| i == n && j == 0)),
+            ("side".into(), set(&|i, j| i == 0 && j == 0)),
+        ]),
+        face_sets: BTreeMap::new(),
+    }
+}
+
+fn of(arrays: Arrays) -> Checked {
+    let mut scene = overridden(PLATE, "plate.toml", &[]).unwrap().into_scene();
+    scene.surfaces.insert("plate".into(), Arc::new(arrays));
+    scene.check().unwrap()
+}
+
+/// Displacements of the notch and of the side.
+fn answers(scene: &Checked) -> [f64; 2] {
+    let curve = ran(Ok(scene.clone())).curve;
+    ["v_notch", "u_side"].map(|column| curve.column(column).unwrap()[0])
+}
+
+#[test]
+fn a_plate_with_a_hole_is_refined_where_its_error_is() {
+    let [coarse, fine] = [64, 128].map(|n| answers(&of(plate(n))));
+    let truth = [0, 1].map(|k| fine[k] + (fine[k] - coarse[k]) / 3.0);
+    let off = |found: [f64; 2]| (0..2).map(|k| (found[k] / truth[k] - 1.0).abs()).fold(0.0, f64::max);
+    let before = off(answers(&of(plate(16))));
+    let Graded { arrays, nodes, error, .. } = of(plate(16)).graded(Some(0.7), 1, &mut Silent).unwrap();
+    let particles = arrays.points.len();
+    let after = of(arrays);
+    // Measured .42 of the error with 1.5 times the particles; cells of one size take 2.6 times.
+    assert!(nodes == 289 && 10 * particles <= 16 * nodes, "{particles}");
+    let found = off(answers(&after));
+    assert!(found <= 0.5 * before, "{found}, {before}");
+    let next = after.graded(Some(0.7), 1, &mut Silent).unwrap();
+    assert!(next.error.unwrap() < error.unwrap(), "{:?}, {error:?}", next.error);
+}
+
+fn refine(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_coque")).arg("refine").args(arguments).output().unwrap()
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("coque-refine-{name}-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+#[test]
+fn a_roof_becomes_a_mesh_on_its_own_surface() {
+    let folder = folder("roof");
+    let out = folder.join("roof.toml");
+    let scene = scenes().join("scordelis-lo.toml");
+    let said = refine(&[scene.to_str().unwrap(), "--by", "50%", "--out", out.to_str().unwrap()]);
+    assert!(said.status.success(), "{said:?}");
+    let text = fs::read_to_string(&out).unwrap();
+    let finer = coque::Scene::parse(&text, out.to_str().unwrap()).unwrap();
+    let model = finer.build(1).unwrap();
+    let rest = model.body.body().configuration().rest.to_vec();
+    // R = 25 about the y axis.
+    assert!(
+        rest.len() > 21 * 21 && rest.iter().all(|x| ((x.x * x.x + x.z * x.z).sqrt() - 25.0).abs() < 1e-12)
+    );
+    // The benchmark's .3024, from .3040 on the lattice.
+    let found = ran(Ok(finer)).curve.column("w_edge").unwrap()[0];
+    assert!((0.3015..0.3040).contains(&found), "{found}");
+    // It is not written over.
+    let again = refine(&[scene.to_str().unwrap(), "--by", "50%", "--out", out.to_str().unwrap()]);
+    assert_eq!(again.status.code(), Some(2));
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn an_accuracy_of_a_mesh_takes_a_finer_one() {
+    let folder = folder("accuracy");
+    let (mesh, scene, out) = (folder.join("plate.inp"), folder.join("plate.toml"), folder.join("out"));
+    let mut text = Vec::new();
+    plate(8).write_inp(&mut text).unwrap();
+    fs::write(&mesh, text).unwrap();
+    fs::write(&scene, PLATE.replace("\"plate\"", "\"plate.inp\"")).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_coque"));
+    command.arg("run").arg(&scene).arg("--out").arg(&out).args(["--accuracy", "1%"]);
+    let said = command.arg("--chart").arg(folder.join("cost.svg")).output().unwrap();
+    let words = String::from_utf8_lossy(&said.stderr).into_owned();
+    assert!(said.status.success(), "{words}");
+    assert!(words.contains("a surface from a file has no lattice to forecast"), "{words}");
+    assert!(words.contains("once more on a mesh of 289 nodes"), "{words}");
+    assert!(fs::read_to_string(out.join("scene.toml")).unwrap().contains("finer.inp"));
+    assert!(fs::read_to_string(folder.join("cost.svg")).unwrap().contains("v_notch"));
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn what_cannot_be_refined_is_refused_with_what_to_do() {
+    let folder = folder("refused");
+    let out = folder.join("finer.toml");
+    for (scene, by, words) in [
+        ("scordelis-lo.toml", None, "a lattice is refined all over by its `particles`"),
+        ("dam-break.toml", Some("50%"), "one shell alone is refined"),
+        ("plate.toml", Some("0%"), "give a share above 0"),
+    ] {
+        let scene = scenes().join(scene);
+        let mut arguments = vec![scene.to_str().unwrap(), "--out", out.to_str().unwrap()];
+        arguments.extend(by.map(|by| ["--by", by]).into_iter().flatten());
+        let said = refine(&arguments);
+        let text = String::from_utf8_lossy(&said.stderr).into_owned();
+        assert!(said.status.code() == Some(2) && text.contains(words), "{text}");
+        assert!(!out.exists());
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
