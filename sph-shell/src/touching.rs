@@ -1,7 +1,6 @@
 //! What a shell touches, tools or itself, and what of that a checkpoint keeps.
 
-use contact::{Deepest, Mesh, SurfaceTouch, Touch};
-use explicit_dynamics::Instant;
+use contact::{Deepest, Mesh, SurfaceTouch};
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -9,12 +8,6 @@ use crate::conditions::touched::{contact_stiffness, touched_mesh};
 use crate::error::ShellError;
 
 impl Shell {
-    /// Evaluates loads and tools at an instant; what each tool and the shell do to each other there.
-    pub fn touch(&mut self, at: Instant) -> &[Touch] {
-        self.evaluate_external(at);
-        self.touches()
-    }
-
     /// Its surface as other bodies touch it, its thickness \[L\], and its stiffness of contact against a rigid tool \[F/L³\].
     ///
     /// # Errors
@@ -25,11 +18,6 @@ impl Shell {
         let scales = self.material.scales();
         let all = std::iter::once(scales.uniform).chain(scales.own);
         Ok((mesh, thickness, contact_stiffness(all, &self.reference.cloud)))
-    }
-
-    /// Least gaps between its faces and those of each tool at an instant \[L\], negative where they are in each other.
-    pub fn tool_gaps(&self, at: Instant) -> Vec<f64> {
-        self.loading.tools.least_gaps(at, self.loading.case, &self.motion.state)
     }
 
     /// Whether it may touch tools or itself.
@@ -57,16 +45,6 @@ impl Shell {
     /// Stiffness of the contact with itself, of a unit of area \[F/L³\].
     pub fn own_contact_stiffness(&self) -> Option<f64> {
         self.loading.own_contact.as_ref().map(|own| own.stiffness())
-    }
-
-    /// Stiffness of the contact with each tool, of a unit of area \[F/L³\].
-    pub fn tool_stiffness(&self) -> impl Iterator<Item = f64> {
-        self.loading.tools.stiffnesses()
-    }
-
-    /// What each tool and the shell do to each other, for the forces last evaluated, in the order in which tools were given.
-    pub fn touches(&self) -> &[Touch] {
-        self.loading.tools.touches()
     }
 
     /// Forgets what touches in the shell: it is put into another state.

@@ -95,6 +95,12 @@ impl Acting {
         at.map_or([0.0; 3], |at| self.forces[self.ranges[system].start + at])
     }
 
+    /// Where the systems are now.
+    pub fn seen<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) -> Vec<[f64; 3]> {
+        self.see(systems);
+        self.places.clone()
+    }
+
     /// What acts.
     pub fn interaction(&self) -> &dyn Interaction {
         &*self.interaction

@@ -36,6 +36,11 @@ pub trait Interaction: Send {
         false
     }
 
+    /// The share of the way from places to others by which they may move at once, one at most ([`Equilibrium::reach`]).
+    fn reach(&self, _here: &[[f64; 3]], _there: &[[f64; 3]]) -> f64 {
+        1.0
+    }
+
     /// What belongs to a state beside the unknowns of the systems.
     fn kept(&self) -> Vec<f64> {
         Vec::new()

@@ -257,6 +257,24 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
         self.systems.iter().map(|system| system.driving_force().powi(2)).sum::<f64>().sqrt()
     }
 
+    fn reach(&mut self, increment: &[f64]) -> f64 {
+        let own = self.parts(|own| &own.first).map(|(system, range)| system.reach(&increment[range]));
+        let least = own.fold(1.0, f64::min);
+        if self.acting.is_empty() {
+            return least;
+        }
+        let see = |several: &mut Self| -> Vec<Vec<[f64; 3]>> {
+            let Self { systems, acting, .. } = several;
+            acting.iter_mut().map(|acting| acting.seen(systems)).collect()
+        };
+        let (saved, here) = (self.save(), see(self));
+        self.update(increment);
+        let there = see(self);
+        self.restore(&saved);
+        let each = self.acting.iter().zip(here.iter().zip(&there));
+        each.map(|(acting, (here, there))| acting.interaction().reach(here, there)).fold(least, f64::min)
+    }
+
     fn update(&mut self, increment: &[f64]) {
         self.parts(|own| &own.first).for_each(|(system, range)| system.update(&increment[range]));
     }

@@ -1,6 +1,6 @@
 //! A shell that may touch itself: forces, tangent, and how they shorten a step in time.
 
-use contact::{Deepest, Law, Node, SurfaceContact, SurfaceTouch, Touching};
+use contact::{Deepest, Law, Moving, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
 use sph_core::Vec3;
 
 use crate::conditions::loads::{Block, place_block};
@@ -11,19 +11,6 @@ use crate::reference::Reference;
 
 /// How much farther than they touch parts are listed, over the spacing.
 const SKIN: f64 = 0.3;
-/// Depth beyond which pairs bound the step by the time in which they would meet.
-const DEEP: f64 = 0.4;
-/// Part of that time that a step may take.
-const OF_MEETING: f64 = 0.2;
-/// Part of the contact distance by which two parts may come nearer to each other in a step.
-const OF_DISTANCE: f64 = 0.5;
-/// Least step over the stable one of the shell; below it parts are pressed through each other.
-const FLOOR: f64 = 0.01;
-/// Steps for which a shell with nothing near itself is not looked at again, at most.
-const PATIENCE: f64 = 16.0;
-/// By how much speeds may grow meanwhile.
-const MARGIN: f64 = 2.0;
-
 /// How a shell touches itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OwnContact {
@@ -42,16 +29,11 @@ pub(crate) struct SelfContact {
     touch: SurfaceTouch,
     /// Forces of contact on each particle.
     forces: Vec<Row>,
-    /// Stiffness that contact adds at each particle.
-    rows: Vec<f64>,
-    /// Square of the frequency that the stable step of the shell has room for \[1/T²\].
-    room: f64,
+    pace: Pace,
     /// Whether the forces above are those of the present state.
     looked: bool,
-    /// Steps for which nothing can come near.
-    wait: f64,
-    /// The step over the stable one where parts were pressed through each other.
-    pressed: Option<f64>,
+    /// Whether nothing can come near in this step.
+    rests: bool,
 }
 
 impl SelfContact {
@@ -73,22 +55,10 @@ impl SelfContact {
         let (mesh, thickness) = touched_mesh(cloud, half)?;
         let skin = SKIN * cloud.spacing();
         let touching = Touching { distance: thickness, law, stiffness, skin, edges };
-        let mut own = Self {
-            contact: SurfaceContact::itself(mesh, &cloud.positions, touching),
-            touch: SurfaceTouch::default(),
-            forces: vec![[0.0; 6]; cloud.len()],
-            rows: vec![0.0; cloud.len()],
-            room: 0.0,
-            looked: false,
-            wait: 0.0,
-            pressed: None,
-        };
-        for (number, vertex) in own.contact.meshes()[0].surface().vertices().iter().enumerate() {
-            let bound = own.contact.bound(0, number) * vertex.share();
-            vertex.nodes().iter().for_each(|&a| own.rows[a as usize] += bound);
-        }
-        own.room = own.greatest_row(masses);
-        Ok(own)
+        let contact = SurfaceContact::itself(mesh, &cloud.positions, touching);
+        let pace = Pace::new(&contact, |(_, a)| masses[a as usize]);
+        let (touch, forces) = (SurfaceTouch::default(), vec![[0.0; 6]; cloud.len()]);
+        Ok(Self { contact, touch, forces, pace, looked: false, rests: false })
     }
 
     /// Says of contact what is said of tools that find no face.
@@ -110,7 +80,7 @@ impl SelfContact {
 
     /// Finds what touches in a state, unless that is known.
     fn look(&mut self, state: &[Row]) {
-        if self.looked || self.wait > 0.0 {
+        if self.looked || self.rests {
             return;
         }
         self.touch = self.contact.look(place(state));
@@ -119,10 +89,8 @@ impl SelfContact {
         self.contact.forces(|(_, a), force| push(forces, a, &force));
     }
 
-    /// The longest step that contact allows in a state with its rates, where the shell alone has a stable step of a length times a safety.
-    ///
-    /// `Δt ≤ safety·2/√(ω² + row)` with `row = max_a (2/m_a) Σ k φ″ |w_a|` of all that touches (Gershgorin), less what the stable step
-    /// has room for; a fifth of the time in which deep pairs would meet; and half of the contact distance at the greatest speed, the mean taken out.
+    /// The longest step that contact allows in a state with its rates, where the shell alone has a stable step of a length times a safety
+    /// ([`Pace::shortened`]).
     pub fn shortened(
         &mut self,
         stable: f64,
@@ -130,35 +98,14 @@ impl SelfContact {
         [state, rates]: [&[Row]; 2],
         masses: &[f64],
     ) -> f64 {
-        if self.wait > 0.0 {
-            self.wait -= 1.0;
+        self.rests = self.pace.rests();
+        if self.rests {
             return stable;
         }
         self.look(state);
         self.looked = true;
-        let speed = greatest_speed(rates);
-        if let Some(left) = self.contact.left_alone() {
-            self.wait = (left / (2.0 * MARGIN * speed * stable)).min(PATIENCE).floor();
-            return stable;
-        }
-        let mut step = stable;
-        if self.touch.area > 0.0 || self.contact.greatest_crossing() > 0.0 {
-            let rows = &mut self.rows;
-            rows.fill(0.0);
-            self.contact.rows(|(_, a), row| rows[a as usize] += row);
-            let beyond = self.greatest_row(masses) - self.room;
-            if beyond > 0.0 {
-                let own = 2.0 * safety / stable;
-                step = step.min(2.0 * safety / (own * own + beyond).sqrt());
-            }
-            step = step.min(OF_MEETING * self.contact.meeting(DEEP, |(_, a)| velocity(rates, a)));
-        }
-        step = step.min(OF_DISTANCE * self.contact.touching().distance / (2.0 * speed));
-        if step < FLOOR * stable {
-            self.pressed = Some(step / stable);
-            step = FLOOR * stable;
-        }
-        step
+        let Self { contact, touch, pace, .. } = self;
+        pace.shortened((contact, touch), stable, safety, &Particles { rates, masses })
     }
 
     /// Forgets what was found: the state is another.
@@ -168,12 +115,13 @@ impl SelfContact {
 
     /// Forgets how long nothing can come near: the state is another than a step makes.
     pub fn put(&mut self) {
-        (self.looked, self.wait) = (false, 0.0);
+        (self.looked, self.rests) = (false, false);
+        self.pace.wait(0.0);
     }
 
     /// The step over the stable one at which parts were pressed through each other.
     pub fn pressed(&self) -> Option<f64> {
-        self.pressed
+        self.pace.pressed()
     }
 
     /// What the shell does to itself, for the forces last evaluated.
@@ -235,7 +183,7 @@ impl SelfContact {
     /// before the first.
     pub fn kept(&self) -> Vec<f64> {
         let listed = self.contact.listed().iter().flatten().flat_map(|x| [x.x, x.y, x.z]);
-        let wait = self.contact.listed().first().map(|_| self.wait);
+        let wait = self.contact.listed().first().map(|_| self.pace.waits());
         wait.into_iter().chain(listed).collect()
     }
 
@@ -248,34 +196,41 @@ impl SelfContact {
         if !left.is_empty() || !self.contact.take_up(&[places]) {
             return false;
         }
-        (self.looked, self.wait) = (false, *wait);
+        (self.looked, self.rests) = (false, false);
+        self.pace.wait(*wait);
         true
     }
 
     /// Bytes that it holds.
     pub fn bytes(&self) -> usize {
-        self.contact.bytes() + size_of_val(&self.forces[..]) + size_of_val(&self.rows[..])
-    }
-
-    /// Greatest row over the mass of its particle \[1/T²\].
-    fn greatest_row(&self, masses: &[f64]) -> f64 {
-        self.rows
-            .iter()
-            .zip(masses)
-            .filter(|(row, _)| **row > 0.0)
-            .fold(0.0, |most, (row, m)| (row / m).max(most))
+        self.contact.bytes() + size_of_val(&self.forces[..])
     }
 }
 
-/// Greatest speed of a particle, the mean velocity taken out \[L/T\].
-fn greatest_speed(rates: &[Row]) -> f64 {
-    let mut mean = [0.0; 3];
-    for row in rates {
-        (0..3).for_each(|k| mean[k] += row[k]);
+/// Particles of the shell that move.
+struct Particles<'a> {
+    rates: &'a [Row],
+    masses: &'a [f64],
+}
+
+impl Moving for Particles<'_> {
+    fn mass(&self, (_, a): Node) -> f64 {
+        self.masses[a as usize]
     }
-    let mean = mean.map(|sum| sum / rates.len().max(1) as f64);
-    let square = |row: &Row| (0..3).map(|k| (row[k] - mean[k]) * (row[k] - mean[k])).sum::<f64>();
-    rates.iter().map(square).fold(0.0, f64::max).sqrt()
+
+    fn velocity(&self, (_, a): Node) -> Vec3 {
+        velocity(self.rates, a)
+    }
+
+    fn greatest_speed(&self) -> f64 {
+        let mut mean = [0.0; 3];
+        for row in self.rates {
+            (0..3).for_each(|k| mean[k] += row[k]);
+        }
+        let mean = mean.map(|sum| sum / self.rates.len().max(1) as f64);
+        let square = |row: &Row| (0..3).map(|k| (row[k] - mean[k]) * (row[k] - mean[k])).sum::<f64>();
+        self.rates.iter().map(square).fold(0.0, f64::max).sqrt()
+    }
 }
 
 fn place(state: &[Row]) -> impl Fn(Node) -> Vec3 {

@@ -85,6 +85,10 @@ impl Equilibrium for Together<Balanced> {
         self.system.driving_force()
     }
 
+    fn reach(&mut self, increment: &[f64]) -> f64 {
+        self.system.reach(increment)
+    }
+
     fn update(&mut self, increment: &[f64]) {
         self.system.update(increment);
     }

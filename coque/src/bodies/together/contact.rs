@@ -270,6 +270,11 @@ impl implicit_statics::Interaction for TouchingBodies {
         changed
     }
 
+    fn reach(&self, here: &[[f64; 3]], there: &[[f64; 3]]) -> f64 {
+        let numbers = &self.numbers;
+        self.contact.reach(|node| place(numbers, here, node), |node| place(numbers, there, node))
+    }
+
     fn kept(&self) -> Vec<f64> {
         self.contact.listed().iter().flatten().flat_map(|x| [x.x, x.y, x.z]).collect()
     }

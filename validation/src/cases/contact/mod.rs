@@ -1,8 +1,8 @@
 //! Shells that touch tools, themselves and each other; a new case is a file, a line here, and one in the list.
 
 mod capstan;
-mod incline;
 mod collapsed_ring;
+mod incline;
 mod pressed_ring;
 mod two_cantilevers;
 mod wrapped_strip;
