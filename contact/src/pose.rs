@@ -43,12 +43,12 @@ impl ToolFrame {
     }
 
     /// A place of the tool in space.
-    pub fn to_space(&self, place: &Vec3) -> Vec3 {
+    pub fn to_space(self, place: &Vec3) -> Vec3 {
         self.rotation * (place - self.centre) + self.centre + self.moved
     }
 
     /// A place in space on the tool.
-    pub fn to_tool(&self, place: &Vec3) -> Vec3 {
+    pub fn to_tool(self, place: &Vec3) -> Vec3 {
         self.rotation.tr_mul(&(place - self.moved - self.centre)) + self.centre
     }
 
