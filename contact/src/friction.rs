@@ -115,8 +115,8 @@ impl Friction {
     pub(crate) fn stiffness(&self, frame: &ToolFrame, on: &OnFace) -> Option<(Matrix3<f64>, Vec3)> {
         let number = self.kept.binary_search_by_key(&on.vertex, |grip| grip.vertex).ok()?;
         let along = Matrix3::identity() - on.normal * on.normal.transpose();
-        let anchor = frame.to_space(&self.kept[number].anchor);
-        let trial = on.from(&anchor);
+        let anchor = frame.in_space(&self.kept[number].anchor);
+        let trial = on.away_from(&anchor);
         let (size, most) = (trial.norm(), self.coefficient * on.pressed);
         if on.stiffness * size <= most {
             return Some((along * -on.stiffness, anchor));
@@ -128,7 +128,7 @@ impl Friction {
 
 impl OnFace {
     /// How far it stands from an anchor along the face.
-    fn from(&self, anchor: &Vec3) -> Vec3 {
+    fn away_from(&self, anchor: &Vec3) -> Vec3 {
         let r = self.place - anchor;
         r - self.normal * self.normal.dot(&r)
     }
@@ -148,21 +148,21 @@ impl Sticking<'_> {
         let Friction { coefficient, kept, trial } = &mut *self.friction;
         let grip = kept.get(self.next).filter(|grip| grip.vertex == on.vertex);
         let Some(&grip) = grip else {
-            let anchor = frame.to_tool(&on.place);
+            let anchor = frame.on_tool(&on.place);
             let new = Grip { vertex: on.vertex, anchor, stretch: Vec3::zeros(), lost: 0.0, holds: true };
             trial.push(new);
             return Vec3::zeros();
         };
         self.next += 1;
         let (k, most) = (on.stiffness, *coefficient * on.pressed);
-        let away = on.from(&frame.to_space(&grip.anchor));
+        let away = on.away_from(&frame.in_space(&grip.anchor));
         let size = away.norm();
         let mut new = Grip { lost: 0.0, holds: true, ..grip };
         let mut stretch = away;
         if k * size > most {
             stretch = away * (most / (k * size));
             new.lost = 0.5 * k * (frame.turned(&grip.stretch) + stretch).dot(&(away - stretch));
-            new.anchor = frame.to_tool(&(on.place - stretch));
+            new.anchor = frame.on_tool(&(on.place - stretch));
         }
         new.stretch = frame.turned_back(&stretch);
         trial.push(new);

@@ -43,12 +43,12 @@ impl ToolFrame {
     }
 
     /// A place of the tool in space.
-    pub fn to_space(self, place: &Vec3) -> Vec3 {
+    pub fn in_space(&self, place: &Vec3) -> Vec3 {
         self.rotation * (place - self.centre) + self.centre + self.moved
     }
 
     /// A place in space on the tool.
-    pub fn to_tool(self, place: &Vec3) -> Vec3 {
+    pub fn on_tool(&self, place: &Vec3) -> Vec3 {
         self.rotation.tr_mul(&(place - self.moved - self.centre)) + self.centre
     }
 
@@ -80,9 +80,9 @@ mod tests {
         let pose = Pose { moved: Vec3::new(0.0, 0.0, 4.0), angle: std::f64::consts::FRAC_PI_2 };
         let frame = ToolFrame::new(&drum, &pose);
         let place = Vec3::new(3.0, -2.0, 0.5);
-        let found = frame.to_space(&place);
+        let found = frame.in_space(&place);
         assert!((found - Vec3::new(1.0, 0.0, 4.5)).norm() < 1e-15, "{found}");
-        assert!((frame.to_tool(&found) - place).norm() < 1e-15);
+        assert!((frame.on_tool(&found) - place).norm() < 1e-15);
         assert!((frame.turning(&found) - Vec3::new(-2.0, 0.0, 0.0)).norm() < 1e-15);
         assert_eq!(drum.face(&found, &pose.moved).distance, 0.0);
         assert!((frame.turned_back(&frame.turned(&place)) - place).norm() < 1e-15);
