@@ -66,10 +66,10 @@ impl Acting {
 
     /// A bound of the square of its highest frequency on the masses of the systems \[1/T²\].
     pub fn fastest<S: Joinable + ?Sized>(&self, systems: &[Box<S>]) -> f64 {
-        let of = |(system, particles): (&Box<S>, &Vec<u32>)| {
-            particles.iter().map(|&particle| system.mass(particle)).collect::<Vec<_>>()
-        };
-        let masses: Vec<f64> = systems.iter().zip(&self.particles).flat_map(of).collect();
+        let mut masses = Vec::with_capacity(self.places.len());
+        for (system, particles) in systems.iter().zip(&self.particles) {
+            masses.extend(particles.iter().map(|&particle| system.mass(particle)));
+        }
         self.interaction.fastest(&masses)
     }
 

@@ -140,13 +140,14 @@ impl Acting {
 
     /// How each place moves.
     fn moves<S: Joinable + ?Sized>(&self, systems: &[Box<S>], first: &[usize]) -> Vec<Moves> {
-        let of_system = |((system, particles), first): ((&Box<S>, &Vec<u32>), &usize)| {
-            let of = |&particle: &u32| -> Moves {
-                system.motion_of(particle).into_iter().map(|(unknown, way)| (first + unknown, way)).collect()
-            };
-            particles.iter().map(of).collect::<Vec<_>>()
-        };
-        systems.iter().zip(&self.particles).zip(first).flat_map(of_system).collect()
+        let mut all = Vec::with_capacity(self.places.len());
+        for ((system, particles), first) in systems.iter().zip(&self.particles).zip(first) {
+            for &particle in particles {
+                let own = system.motion_of(particle).into_iter();
+                all.push(own.map(|(unknown, way)| (first + unknown, way)).collect());
+            }
+        }
+        all
     }
 }
 

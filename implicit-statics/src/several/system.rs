@@ -91,10 +91,7 @@ impl<S: ?Sized> Several<S> {
     }
 
     /// Each system with its part of a list.
-    fn parts<'a>(
-        &'a mut self,
-        ends: fn(&Self) -> &Vec<usize>,
-    ) -> impl Iterator<Item = (&'a mut Box<S>, Range<usize>)> {
+    fn parts(&mut self, ends: fn(&Self) -> &Vec<usize>) -> impl Iterator<Item = (&mut Box<S>, Range<usize>)> {
         let ends = ends(self).clone();
         self.systems
             .iter_mut()

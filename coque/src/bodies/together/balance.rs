@@ -159,11 +159,12 @@ impl StaticBody for Together<Balanced> {
     }
 
     fn warnings(&self) -> Vec<Warning> {
-        let named = |(part, name): (&Box<dyn super::parts::BalancedPart>, &String)| -> Vec<Warning> {
+        let mut all = Vec::new();
+        for (part, name) in self.system.systems().iter().zip(&self.layout.names) {
             let own = part.warnings().into_iter();
-            own.map(|own| Warning::new(own.kind, format!("{name}: {}", own.message))).collect()
-        };
-        self.system.systems().iter().zip(&self.layout.names).flat_map(named).collect()
+            all.extend(own.map(|own| Warning::new(own.kind, format!("{name}: {}", own.message))));
+        }
+        all
     }
 
     fn forces(&self) -> Vec<f64> {

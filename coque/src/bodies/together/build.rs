@@ -69,8 +69,8 @@ pub(in crate::bodies) fn together_model(
     });
     let identity = identity(&made);
     let mut judges = Vec::new();
-    let (mut marched, mut balanced): (Vec<Box<dyn MarchedPart>>, Vec<Box<dyn BalancedPart>>) =
-        Default::default();
+    let mut marched: Vec<Box<dyn MarchedPart>> = Vec::new();
+    let mut balanced: Vec<Box<dyn BalancedPart>> = Vec::new();
     for ((_, part), range) in made.into_iter().zip(&layout.particles) {
         let cells = part.body.body().configuration().cells.to_vec();
         judges.extend(part.judge.map(|judge| (judge, range.clone(), cells)));
