@@ -10,12 +10,11 @@ impl<S: Joinable + ?Sized> Several<S> {
     /// Where the coordinates of each system stand.
     fn ranges(&self) -> Vec<Range<usize>> {
         let mut end = 0;
-        let mut range = |system: &S| {
-            let start = end;
-            end += LinearisedDynamics::unknowns(system);
-            start..end
+        let range = |unknowns: usize| {
+            end += unknowns;
+            end - unknowns..end
         };
-        self.systems.iter().map(|system| range(system)).collect()
+        self.systems.iter().map(|system| LinearisedDynamics::unknowns(&**system)).map(range).collect()
     }
 }
 

@@ -187,10 +187,10 @@ impl Acting {
     fn moves<S: Joinable + ?Sized>(&self, systems: &[Box<S>], first: &[usize]) -> Vec<Moves> {
         let mut all = Vec::with_capacity(self.places.len());
         for ((system, particles), first) in systems.iter().zip(&self.particles).zip(first) {
-            let of = |&particle: &u32| -> Moves {
-                system.motion_of(particle).into_iter().map(|(unknown, way)| (first + unknown, way)).collect()
-            };
-            all.extend(particles.iter().map(of));
+            for &particle in particles {
+                let own = system.motion_of(particle).into_iter();
+                all.push(own.map(|(unknown, way)| (first + unknown, way)).collect());
+            }
         }
         all
     }
