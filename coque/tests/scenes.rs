@@ -79,7 +79,17 @@ fn said(scene: Checked) -> String {
     } = scene.into_scene();
     format!(
         "{:?}",
-        (title, units, bodies, sets, supports, (loads, contact), (analysis, coupling), curve, (output, error))
+        (
+            title,
+            units,
+            bodies,
+            sets,
+            supports,
+            (loads, contact),
+            (analysis, coupling),
+            curve,
+            (output, error)
+        )
     )
 }
 
