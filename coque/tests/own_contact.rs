@@ -39,11 +39,9 @@ fn broken_contacts_say_where_and_why() {
     }
 }
 
-/// Stopped where walls touch and where they do not, with and without time.
+/// Stopped again and again, before walls touch and while they do.
 #[test]
 fn contact_goes_on_to_the_same_bits() {
-    let levels = ("analysis", "{ static = { levels = [0.28, 0.31, 0.35, 0.45, 0.55, 0.6] } }");
-    stopped_again_and_again("collapsed-static", &text(RING), &[COARSE, levels], 2);
     let thrown = [
         COARSE,
         ("analysis", "{ explicit = { transient = { duration = 1.6, record_every = 0.1 } } }"),
