@@ -25,12 +25,14 @@ pub fn crossings(shell: &Shell) -> usize {
     count
 }
 
+/// Whether a segment goes through a triangle by more than rounding: cells that lie in one plane touch along it.
 fn crosses([p, q]: [Vec3; 2], [a, b, c]: [Vec3; 3]) -> bool {
     let volume = |x: Vec3, y: Vec3, z: Vec3, w: Vec3| (y - x).cross(&(z - x)).dot(&(w - x));
+    let rounding = 1e-10 * (q - p).norm() * (b - a).norm() * (c - a).norm();
     let sides = [volume(a, b, c, p), volume(a, b, c, q)];
-    if sides[0] * sides[1] >= 0.0 {
+    if sides[0].max(sides[1]) < rounding || sides[0].min(sides[1]) > -rounding {
         return false;
     }
     let around = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)];
-    around.iter().all(|v| *v > 0.0) || around.iter().all(|v| *v < 0.0)
+    around.iter().all(|v| *v > rounding) || around.iter().all(|v| *v < -rounding)
 }
