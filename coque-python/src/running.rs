@@ -1,5 +1,6 @@
 //! Runs: with results in memory, into a folder, on from the checkpoint in one.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -79,7 +80,8 @@ pub fn ran(
     watch: &mut Watch,
 ) -> Result<Ran, Refusal> {
     let Wanted { threads, fields, out, push } = wanted;
-    let mut model = scene.build(threads)?;
+    let mut model = shown(scene, fields == Some(true))?.build(threads)?;
+    model.task.output.fields = scene.output.fields;
     if let Some(function) = push {
         let by_level = !model.task.analysis.kind().passes_time;
         model.push(watch.exert(function, by_level)).map_err(|error| error.to_string())?;
@@ -107,6 +109,17 @@ pub fn ran(
     };
     let frames = gather.map_or_else(Vec::new, |gather| gather.frames);
     Ok(Ran { outcome, frames, sets, said: std::mem::take(&mut watch.said) })
+}
+
+/// The scene as it is built where frames are kept: with its sets beside them.
+fn shown(scene: &Checked, keep: bool) -> Result<Cow<'_, Checked>, SceneError> {
+    if !keep || scene.output.fields.is_some() {
+        return Ok(Cow::Borrowed(scene));
+    }
+    let mut scene = scene.clone().into_scene();
+    scene.output.fields =
+        Some(coque::scene::Fields { every: 1, extruded: false, points: false, stresses: false });
+    Ok(Cow::Owned(scene.check()?))
 }
 
 /// Sets other than that of all particles, as they stand beside the frames of a folder.

@@ -55,7 +55,7 @@ fn a_force_by_a_function_has_the_bits_of_the_scene() {
 fn there_is_none_without_time() {
     let push = |analysis: &str| strip(LOAD, analysis, 1).push(Box::new(|_, _, _, _| {})).unwrap_err();
     assert_eq!(push("linear = {}"), NoPush::Timeless("a linear analysis"));
-    assert_eq!(push("static = {}"), NoPush::Timeless("a static analysis"));
+    assert_eq!(push("static = { levels = 1 }"), NoPush::Timeless("a static analysis"));
 }
 
 #[test]

@@ -98,7 +98,9 @@ fn one_cantilever_bears_on_the_other() {
     assert!((last(&borne, "F") / (5.3203125 * 0.175) - 1.0).abs() < 1e-3, "{}", last(&borne, "F"));
     let [upper, lower] = ["w_upper", "w_lower"].map(|name| last(&borne, name));
     assert!((upper / (0.2 * 2.7515) - 1.0).abs() < 2e-3 && (lower / (0.2 * 0.908) - 1.0).abs() < 2e-3);
-    let without = run(&[&coarse[..], &[("contact", "[]")]].concat());
+    let curve = "[{ name = 'w_upper', of = 'displacement', on = 'upper.u1', direction = [0, 0, -1] }, \
+                  { name = 'w_lower', of = 'displacement', on = 'lower.u1', direction = [0, 0, -1] }]";
+    let without = run(&[&coarse[..], &[("contact", "[]"), ("curve", curve), ("output", "{}")]].concat());
     assert!(last(&without, "w_upper") > 0.7 && last(&without, "w_lower") == 0.0);
 }
 

@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     Branches: TypeAlias = Union[Literal['primary'], Literal['stable'], Literal['stable-reversed']]
     Buckling = TypedDict("Buckling", {"modes": int, "prebuckling": NotRequired["Prebuckling"], "sign": NotRequired["Sign"]})
     Contact = TypedDict("Contact", {"distance": NotRequired[float], "walls": NotRequired[Sequence["Wall"]]})
+    ContactScene = TypedDict("ContactScene", {"between": NotRequired[Sequence[str]], "rounding": NotRequired[float], "stiffness": NotRequired[float]})
     Correction: TypeAlias = Union[Literal['none'], Literal['even'], Literal['balanced'], Literal['energy-factor']]
     Couple = TypedDict("Couple", {"axis": "Axis", "moment": float})
     Coupling = TypedDict("Coupling", {"impedance": NotRequired[bool], "order": NotRequired["CouplingOrder"]})
@@ -59,7 +60,7 @@ if TYPE_CHECKING:
     Disc = TypedDict("Disc", {"centre": Sequence[float], "radius": float, "spacing": float})
     Disorder = TypedDict("Disorder", {"fraction": float, "seed": int})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]
-    Elastic = TypedDict("Elastic", {"density": float, "poisson": float, "young": float})
+    Elastic = TypedDict("Elastic", {"density": float, "poisson": float, "young": float, "young-values": NotRequired[str]})
     ErrorBars = TypedDict("ErrorBars", {"probes": NotRequired[Sequence["ErrorProbe"]], "sharpen": NotRequired[bool]})
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[float], "transient": NotRequired["Transient"]})
@@ -123,7 +124,7 @@ if TYPE_CHECKING:
     Material_2 = TypedDict("Material_2", {"orthotropic": "Orthotropic"})
     Material_3 = TypedDict("Material_3", {"file": "OfFile"})
     Material: TypeAlias = Union["Material_1", "Material_2", "Material_3"]
-    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
+    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['contact-moment'], Literal['contact-gap'], Literal['friction-loss'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
     Mesh = TypedDict("Mesh", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[float]})
     Modal = TypedDict("Modal", {"modes": int})
     Moved = TypedDict("Moved", {"by": float, "direction": Sequence[float]})
@@ -196,7 +197,7 @@ if TYPE_CHECKING:
     ToolCapsule = TypedDict("ToolCapsule", {"ends": Sequence[Sequence[float]], "radius": float})
     ToolCylinder = TypedDict("ToolCylinder", {"axis": Sequence[float], "point": Sequence[float], "radius": float})
     ToolPlane = TypedDict("ToolPlane", {"normal": Sequence[float], "point": Sequence[float]})
-    ToolScene = TypedDict("ToolScene", {"amplitude": NotRequired["Amplitude"], "capsule": NotRequired["ToolCapsule"], "cylinder": NotRequired["ToolCylinder"], "moved": NotRequired[Sequence[float]], "name": str, "plane": NotRequired["ToolPlane"], "rounding": NotRequired[float], "sphere": NotRequired["ToolSphere"], "stiffness": NotRequired[float]})
+    ToolScene = TypedDict("ToolScene", {"amplitude": NotRequired["Amplitude"], "capsule": NotRequired["ToolCapsule"], "cylinder": NotRequired["ToolCylinder"], "friction": NotRequired[float], "moved": NotRequired[Sequence[float]], "name": str, "plane": NotRequired["ToolPlane"], "rounding": NotRequired[float], "sphere": NotRequired["ToolSphere"], "stiffness": NotRequired[float], "turn": NotRequired[float]})
     ToolSphere = TypedDict("ToolSphere", {"centre": Sequence[float], "radius": float})
     Traction = TypedDict("Traction", {"depth": NotRequired[float], "value": Sequence[float]})
     Transient = TypedDict("Transient", {"damping": NotRequired[float], "duration": float, "record_every": float})
@@ -219,4 +220,4 @@ if TYPE_CHECKING:
     WallsScene = TypedDict("WallsScene", {"geometry": "WallGeometry", "motion": NotRequired["WallMotion"]})
     WeaklyCompressible = TypedDict("WeaklyCompressible", {"confined": NotRequired[bool], "courant": NotRequired[float], "density_diffusion": NotRequired[float], "method": NotRequired["FluidMethod"], "smoothing": NotRequired[float], "start": NotRequired["FluidStart"], "viscosity": NotRequired[float], "walls": NotRequired["WallMethod"], "xsph": NotRequired[float]})
     WetFaces: TypeAlias = Union[Literal['both'], Literal['front'], Literal['back']]
-    SceneKeys = TypedDict("SceneKeys", {"analysis": NotRequired["Analysis"], "bodies": NotRequired[Mapping[str, "BodyScene"]], "coupling": NotRequired["Coupling"], "curve": NotRequired[Sequence["Probe"]], "error": NotRequired["ErrorBars"], "formulation": NotRequired["Formulation"], "geometry": NotRequired["Geometry"], "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "loads": NotRequired[Sequence["Load"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": NotRequired["Material"], "orientation": NotRequired["Orientation"], "output": NotRequired["Output"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": NotRequired["Section"], "sets": NotRequired[Mapping[str, "Region"]], "supports": NotRequired[Sequence["Support"]], "ties": NotRequired[Sequence["ShellTie"]], "title": NotRequired[str], "tools": NotRequired[Sequence["ToolScene"]], "units": NotRequired["Units"], "velocity": NotRequired["Velocity"]})
+    SceneKeys = TypedDict("SceneKeys", {"analysis": NotRequired["Analysis"], "bodies": NotRequired[Mapping[str, "BodyScene"]], "contact": NotRequired[Sequence["ContactScene"]], "coupling": NotRequired["Coupling"], "curve": NotRequired[Sequence["Probe"]], "error": NotRequired["ErrorBars"], "formulation": NotRequired["Formulation"], "geometry": NotRequired["Geometry"], "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "loads": NotRequired[Sequence["Load"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": NotRequired["Material"], "orientation": NotRequired["Orientation"], "output": NotRequired["Output"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": NotRequired["Section"], "sets": NotRequired[Mapping[str, "Region"]], "supports": NotRequired[Sequence["Support"]], "ties": NotRequired[Sequence["ShellTie"]], "title": NotRequired[str], "tools": NotRequired[Sequence["ToolScene"]], "units": NotRequired["Units"], "velocity": NotRequired["Velocity"]})

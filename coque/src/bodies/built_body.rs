@@ -44,7 +44,8 @@ impl BuiltBody<Ready> {
     pub fn model(self, scene: &Scene, threads: usize) -> Model {
         let Self { body, description, memory, identity, probes, driven, warnings, judge, sets } = self;
         let (task, threads) = (Task::of(scene), threads.max(1));
-        let sets = [(description.kind.to_string(), sets)].into();
+        let shown = task.output.fields.is_some();
+        let sets = if shown { [(description.kind.to_string(), sets)].into() } else { BTreeMap::new() };
         let barred = None;
         Model {
             task,

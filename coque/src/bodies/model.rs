@@ -46,7 +46,7 @@ pub struct Model {
     pub description: Description,
     /// What a run will need, and what there is.
     pub memory: Memory,
-    /// Particles by name of their set, of each body that has sets; a body alone in its scene goes by its
+    /// Particles by name of their set, of each body that has sets, where the scene asks for fields; a body alone in its scene goes by its
     /// kind.
     pub sets: BTreeMap<String, BTreeMap<String, Vec<u32>>>,
     pub(crate) identity: Identity,

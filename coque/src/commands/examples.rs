@@ -97,7 +97,7 @@ const EXAMPLES: [Example; 54] = [
     Example::new("tied-rib", 0.1, include_str!("../../../scenes/meshes/tied-rib.toml")),
     Example::new("twisted-beam", 0.1, include_str!("../../../scenes/twisted-beam.toml")),
     Example::new("twisted-strip", 0.5, include_str!("../../../scenes/twisted-strip.toml")),
-    Example::new("two-cantilevers", 0.5, include_str!("../../../scenes/two-cantilevers.toml")),
+    Example::new("two-cantilevers", 3.0, include_str!("../../../scenes/two-cantilevers.toml")),
 ];
 
 /// What is written beside an example on a mesh: the ending of its name, and what it holds.

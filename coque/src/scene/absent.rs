@@ -55,7 +55,7 @@ const ROWS: &[Row] = &[
         },
     ),
     (
-        &["contact", "friction", "self_contact"],
+        &["friction", "self_contact"],
         &[],
         NotYet {
             feature: "contact of solids with other bodies, of shells in a fluid, and friction of shells on each other",

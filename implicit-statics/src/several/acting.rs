@@ -20,8 +20,8 @@ pub(super) struct Acting {
     pairs: Vec<[usize; 2]>,
     /// Entries that no system has of itself.
     pub own: Vec<(usize, usize)>,
-    /// Where each entry that it adds to stands in the pattern.
-    entries: HashMap<(usize, usize), usize>,
+    /// Where each entry that it adds to stands in the pattern, in the order in which [`Acting::visit`] hands them out.
+    targets: Vec<usize>,
 }
 
 impl Acting {
@@ -49,7 +49,7 @@ impl Acting {
             forces,
             pairs: Vec::new(),
             own: Vec::new(),
-            entries: HashMap::new(),
+            targets: Vec::new(),
         };
         acting.enter(systems, first, pattern);
         acting
@@ -63,24 +63,20 @@ impl Acting {
         pattern: &[(usize, usize)],
     ) {
         self.pairs = self.interaction.pairs();
-        self.entries.clear();
         let moves = self.moves(systems, first);
-        for &[a, b] in &self.pairs {
-            for (i, _) in &moves[a] {
-                self.entries.extend(moves[b].iter().map(|(j, _)| ((*i.max(j), *i.min(j)), usize::MAX)));
-            }
-        }
-        for (number, entry) in pattern.iter().enumerate() {
-            if let Some(at) = self.entries.get_mut(entry) {
-                *at = number;
-            }
-        }
-        let missing = self.entries.iter().filter(|(_, at)| **at == usize::MAX).map(|(entry, _)| *entry);
-        self.own = missing.collect();
+        let mut asked: Vec<(usize, usize)> = Vec::new();
+        let ones = vec![[[1.0; 3]; 3]; self.pairs.len()];
+        self.visit(&moves, &ones, |_, entry, _| asked.push(entry));
+        let known: HashMap<(usize, usize), usize> =
+            pattern.iter().enumerate().map(|(at, entry)| (*entry, at)).collect();
+        self.own = asked.iter().filter(|entry| !known.contains_key(entry)).copied().collect();
         self.own.sort_unstable();
-        for (number, entry) in self.own.iter().enumerate() {
-            self.entries.insert(*entry, pattern.len() + number);
-        }
+        self.own.dedup();
+        let place = |entry: &(usize, usize)| match known.get(entry) {
+            Some(&at) => at,
+            None => pattern.len() + self.own.partition_point(|other| other < entry),
+        };
+        self.targets = asked.iter().map(place).collect();
     }
 
     /// Whether it joins other pairs of the present places than before.
@@ -138,7 +134,9 @@ impl Acting {
         values: &mut [f64],
     ) {
         let moves = self.moves(systems, first);
-        self.visit(&moves, |entry, value| values[self.entries[&entry]] += value);
+        let mut blocks = vec![[[0.0; 3]; 3]; self.pairs.len()];
+        self.interaction.stiffness(&self.places, &mut blocks);
+        self.visit(&moves, &blocks, |number, _, value| values[self.targets[number]] += value);
     }
 
     /// Adds to bounds of the spectrum what it adds to the sums over rows: of each place the largest of its three axes, so that no turn
@@ -163,21 +161,34 @@ impl Acting {
         }
     }
 
-    /// Hands every entry of the lower half with what belongs to it to `put`, some of them several times.
-    fn visit(&self, moves: &[Moves], mut put: impl FnMut((usize, usize), f64)) {
-        let mut blocks = vec![[[0.0; 3]; 3]; self.pairs.len()];
-        self.interaction.stiffness(&self.places, &mut blocks);
-        for (&[a, b], block) in self.pairs.iter().zip(&blocks) {
+    /// Hands every entry of the lower half to which a block adds, with its number and with what belongs to it, to `put`, some of them several
+    /// times. Blocks of zero are passed over.
+    fn visit(
+        &self,
+        moves: &[Moves],
+        blocks: &[[[f64; 3]; 3]],
+        mut put: impl FnMut(usize, (usize, usize), f64),
+    ) {
+        let mut number = 0;
+        for (&[a, b], block) in self.pairs.iter().zip(blocks) {
+            if *block == [[0.0; 3]; 3] {
+                number += match a == b {
+                    true => moves[a].len() * (moves[a].len() + 1) / 2,
+                    false => moves[a].len() * moves[b].len(),
+                };
+                continue;
+            }
             for (i, left) in &moves[a] {
+                let row =
+                    [0, 1, 2].map(|k| left[0] * block[0][k] + left[1] * block[1][k] + left[2] * block[2][k]);
                 for (j, right) in &moves[b] {
-                    let value = dot(left, &block.map(|row| dot(&row, right)));
                     // A block off the diagonal stands for its transpose as well; one on it has both halves.
-                    match a == b {
-                        true if i < j => {}
-                        true => put((*i, *j), value),
-                        false if i == j => put((*i, *j), 2.0 * value),
-                        false => put((*i.max(j), *i.min(j)), value),
+                    if a == b && i < j {
+                        continue;
                     }
+                    let twice = if a != b && i == j { 2.0 } else { 1.0 };
+                    put(number, (*i.max(j), *i.min(j)), twice * dot(&row, right));
+                    number += 1;
                 }
             }
         }

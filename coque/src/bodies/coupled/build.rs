@@ -64,7 +64,9 @@ pub(in crate::bodies) fn coupled_model(
     warnings.extend(soft(&fluid, &walls));
     let (mut made, mut sets) = (Vec::new(), BTreeMap::new());
     for (name, mut wet) in wets {
-        sets.insert(name.to_string(), std::mem::take(&mut wet.made.sets));
+        if scene.output.fields.is_some() {
+            sets.insert(name.to_string(), std::mem::take(&mut wet.made.sets));
+        }
         let own = wet.made.warnings.iter();
         warnings.extend(own.map(|own| Warning::new(own.kind, format!("{name}: {}", own.message))));
         made.push((name, wet.made));

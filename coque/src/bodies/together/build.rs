@@ -110,6 +110,7 @@ pub(in crate::bodies) fn together_model(
     };
     let (driven, judge) = (None, Some(judge_each(judges)));
     let own_sets = BTreeMap::new();
+    let sets = if scene.output.fields.is_some() { sets } else { BTreeMap::new() };
     let made =
         BuiltBody { body, description, memory, identity, probes, driven, warnings, judge, sets: own_sets };
     Ok(Model { sets, ..made.model(scene, threads) })

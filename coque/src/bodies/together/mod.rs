@@ -2,7 +2,7 @@
 //!
 //! Each keeps its own particles, conditions and files; they take the same steps or are balanced together. What they do to each other goes
 //! through one place: an `Interaction` of explicit-dynamics in marches, one of implicit-statics without time, which sees places of all and
-//! adds forces and, at rest, blocks of the tangent. Springs between sets (`joints.rs`) are the one there is.
+//! adds forces and, at rest, blocks of the tangent: springs between sets (`joints.rs`) and shells that touch (`contact.rs`, found by `touched.rs`).
 
 mod balance;
 mod body;

@@ -22,7 +22,7 @@ const UNIT: f64 = 2.1e5 * 1e3 / 12.0 * 50.0 * 0.2 / 1e9;
 const FORCE: f64 = 12.0;
 
 /// Errors \[% of the greatest force\].
-const MEASURED: Measured = Measured(&[(STATIC, &[("100 and 70 cells", 0.009), ("25 and 28 cells", 0.01)])]);
+const MEASURED: Measured = Measured(&[(STATIC, &[("100 and 70 cells", 0.004), ("25 and 28 cells", 0.023)])]);
 
 /// The scene, its reference, and how far the two may differ.
 pub fn case() -> Case {
@@ -32,7 +32,7 @@ pub fn case() -> Case {
         about: "Two strips of unlike cells, clamped a gap apart: a force at the end of the upper one brings it down on the end of the lower \
                 one, and both bear it from there on. They touch nowhere else.",
         citation: "Euler and Bernoulli's beams of small deflection",
-        variants: vec![strips(25, 28).quick(), strips(100, 70)],
+        variants: vec![strips(25, 28), strips(100, 70)],
         each,
         headline: Some(Headline::new(OFF, 0.01)),
         figures,
