@@ -10,36 +10,7 @@ use common::{column, last, overridden, ran, text};
 use coque::Outcome;
 
 /// A small plate thrown aslant on a larger one, both free.
-const THROWN: &str = r#"
-title = "A plate thrown on another"
-units = { length = "m", force = "N", time = "s" }
-analysis.explicit.transient = { duration = 0.05, record_every = 0.005 }
-contact = [{ between = ["thrown", "target"] }]
-
-[bodies.thrown.shell]
-geometry.plate = { lengths = [0.5, 0.4], particles = [11, 9] }
-placed = { origin = [0.21, 0.32, 0.05], u = [0.98, 0.1, 0.17], v = [-0.1, 0.98, 0.0] }
-velocity = { linear = [0.2, 0.1, -1.0] }
-material.elastic = { young = 1e7, poisson = 0.3, density = 1000.0 }
-section.homogeneous = { thickness = 0.02 }
-
-[bodies.target.shell]
-geometry.plate = { lengths = [1.0, 1.0], particles = [14, 13] }
-material.elastic = { young = 1e7, poisson = 0.3, density = 1000.0 }
-section.homogeneous = { thickness = 0.02 }
-
-[[curve]]
-name = "F"
-of = "contact-force"
-on = "target.all"
-direction = [0.3, 0.2, -1.0]
-
-[[curve]]
-name = "G"
-of = "contact-force"
-on = "thrown.all"
-direction = [0.3, 0.2, -1.0]
-"#;
+const THROWN: &str = include_str!("metamorphic/thrown.toml");
 
 const SWAPPED: (&str, &str) = ("contact", "[{ between = [\"target\", \"thrown\"] }]");
 

@@ -1,6 +1,8 @@
 //! What a bar holds, and what it does not, in words.
 
-use crate::scene::{Analysis, BodyScene, Checked, ErrorProbe};
+use std::collections::BTreeSet;
+
+use crate::scene::{Analysis, BodyScene, Checked, ErrorProbe, ToolScene};
 
 /// What the bars of a scene hold.
 pub(super) fn holds(scene: &Checked) -> Vec<String> {
@@ -15,7 +17,19 @@ pub(super) fn holds(scene: &Checked) -> Vec<String> {
     if bonds {
         held.push("horizon (so many spacings, it shrinks with them)".into());
     }
+    let tools = tools(scene).next().is_some();
+    if tools || !scene.contact.is_empty() {
+        held.push("depth of contact (it follows the spacing)".into());
+    }
     held
+}
+
+/// The tools of all shells.
+fn tools(scene: &Checked) -> impl Iterator<Item = &ToolScene> {
+    scene.bodies.values().flat_map(|body| match body {
+        BodyScene::Shell(shell) => &shell.tools[..],
+        _ => &[],
+    })
 }
 
 /// What they do not hold, each with the probe that tells how much it is, where there is one.
@@ -40,6 +54,9 @@ pub(super) fn lacks(scene: &Checked) -> Vec<(Option<ErrorProbe>, String)> {
         }
         _ => {}
     }
+    if tools(scene).any(ToolScene::is_rough) && !matches!(scene.analysis, Analysis::Explicit(_)) {
+        left.push((None, "the steps in which friction is followed (levels, and those of a preload)".into()));
+    }
     for body in scene.bodies.values() {
         match body {
             BodyScene::Shell(_) => left.push((None, "what a shell leaves out of a solid".into())),
@@ -57,5 +74,8 @@ pub(super) fn lacks(scene: &Checked) -> Vec<(Option<ErrorProbe>, String)> {
             BodyScene::Walls(_) => {}
         }
     }
+    // Bodies of one kind leave out the same.
+    let mut seen = BTreeSet::new();
+    left.retain(|(_, words)| seen.insert(words.clone()));
     left
 }
