@@ -5,6 +5,7 @@
 
 mod arrays;
 mod boundary;
+mod curved;
 mod error;
 mod formats;
 mod hollow;
