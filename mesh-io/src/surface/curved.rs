@@ -9,9 +9,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use nalgebra::{DMatrix, DVector, Matrix2};
 use sph_core::Vec3;
 
-use super::Surface;
 use super::junctions::{FACET, FOLD, SHARP};
-use super::refine::edges;
+use super::{Surface, mean_normals};
 
 /// Bulge over the length of an edge below which the surface is flat there \[–\]: rounding of coordinates.
 const FLAT: f64 = 1e-9;
@@ -60,6 +59,14 @@ pub(super) fn bulges(surface: &Surface, first: &[u32]) -> HashMap<[u32; 2], Vec3
     bulges
 }
 
+/// The edges round a face, each with its lesser node first.
+pub(super) fn edges(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
+    (0..ring.len()).map(|k| {
+        let (a, b) = (ring[k], ring[(k + 1) % ring.len()]);
+        [a.min(b), a.max(b)]
+    })
+}
+
 /// Lines on which sheets end.
 struct Lines {
     /// Curvature vectors \[1/L\] at nodes where a line neither ends, branches nor has a corner.
@@ -101,12 +108,11 @@ struct Sheets {
 impl Sheets {
     fn new(surface: &Surface, rings: &[&[u32]]) -> Self {
         let count = surface.positions.len();
-        let (mut beside, mut normals) = (vec![Vec::new(); count], vec![Vec3::zeros(); count]);
-        for (ring, face) in rings.iter().zip(&surface.faces) {
-            let normal = face.geometry(&surface.positions).normal;
+        let normals = mean_normals(&surface.positions, &surface.faces);
+        let mut beside = vec![Vec::new(); count];
+        for ring in rings {
             for &node in *ring {
                 beside[node as usize].extend(ring.iter().filter(|&&other| other != node));
-                normals[node as usize] += normal;
             }
         }
         for (node, others) in beside.iter_mut().enumerate() {

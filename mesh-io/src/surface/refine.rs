@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use sph_core::{Cell, Vec3};
 
-use super::curved::bulges;
+use super::curved::{bulges, edges};
 use super::{Arrays, Surface};
 
 /// A surface that was refined.
@@ -98,14 +98,6 @@ impl Surface {
         };
         self.faces.iter().map(ring).collect()
     }
-}
-
-/// The edges round a face, each with its lesser node first.
-pub(super) fn edges(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
-    (0..ring.len()).map(|k| {
-        let (a, b) = (ring[k], ring[(k + 1) % ring.len()]);
-        [a.min(b), a.max(b)]
-    })
 }
 
 /// Edges that get a node: those of the faces that are marked, and of those beside them that have too many such edges to be divided otherwise.
