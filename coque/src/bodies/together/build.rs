@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use peridynamics::StaticSolid;
+use rigid_body::RestingBody;
 use sph_shell::StaticShell;
 
 use super::body::Together;
@@ -15,6 +16,7 @@ use crate::bodies::beside::{identity, judge_each, lines};
 use crate::bodies::body::Body;
 use crate::bodies::galerkin::build::galerkin_made;
 use crate::bodies::refusal::{not_a, refuse_modes};
+use crate::bodies::rigid_body::build::rigid_made;
 use crate::bodies::shell::build::shell_made;
 use crate::bodies::solid::build::solid_made;
 use crate::bodies::{BuiltBody, Description, Memory, Model, Probe, Ready};
@@ -170,6 +172,10 @@ fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<(BuiltBody<Part>, Opt
                 false => Part::Balanced(Box::new(StaticSolid::new(solid))),
             }),
         },
+        BodyScene::Rigid(rigid) => rigid_made(scene, rigid)?.map(|body| match marched {
+            true => Part::Marched(Box::new(body)),
+            false => Part::Balanced(Box::new(RestingBody::new(body))),
+        }),
         BodyScene::Fluid(_) | BodyScene::Walls(_) => return Err(not_a(scene, "shell")),
     };
     Ok((part, None))
