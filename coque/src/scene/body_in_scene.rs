@@ -174,9 +174,13 @@ impl<'a> BodyInScene<'a> {
         first.filter(|_| alone && self.analysis.kind().seeks_force)
     }
 
-    /// Whether it is a shell that may touch tools or itself.
+    /// Whether it may touch tools, itself or another body.
     pub(crate) fn may_touch(&self) -> bool {
-        self.as_shell().is_some_and(|shell| !(shell.tools.is_empty() && self.scene.contact.is_empty()))
+        match self.body {
+            BodyScene::Shell(shell) => !(shell.tools.is_empty() && self.scene.contact.is_empty()),
+            BodyScene::Solid(_) => !self.in_fluid && !self.scene.contact.is_empty(),
+            BodyScene::Fluid(_) | BodyScene::Walls(_) => false,
+        }
     }
 
     /// Whether the shell has stresses of its own at the start.

@@ -163,7 +163,8 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     }
     let solid = scene.as_solid();
     if solid.is_some_and(|solid| solid.galerkin().is_some()) {
-        return vec![Displacement, Position, Reaction];
+        let touching = scene.may_touch().then_some(ContactForce);
+        return [Displacement, Position, Reaction].into_iter().chain(touching).collect();
     }
     let mut known = vec![Displacement, Position, Reaction, Velocity];
     if solid.is_none_or(SolidScene::has_directors) {
