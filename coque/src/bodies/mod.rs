@@ -10,6 +10,7 @@
 //! | what loads and supports amount to | `resultants.rs` |
 //! | which rigid motions are free | `rigid.rs` |
 //! | shells; solids with bonds, without; fluids and walls | `shell/`; `solid/`, `galerkin/`; `fluid/` |
+//! | rigid bodies | `rigid_body/` |
 //! | several bodies without a fluid as one body | `together/` |
 //! | a fluid, its walls and the structures in it as one body | `coupled/` |
 
@@ -29,6 +30,7 @@ pub(crate) mod probe;
 mod refusal;
 mod resultants;
 mod rigid;
+mod rigid_body;
 mod sampled;
 pub(crate) mod sets;
 pub(crate) mod shell;

@@ -35,6 +35,11 @@ impl<S: Parts> Body for Together<S> {
         between.map(|contact| self.system.force_on(contact, body, own).dot(along)).sum::<f64>() + of_body
     }
 
+    fn counts_turns(&self, particle: usize) -> bool {
+        let (body, own) = self.layout.place(particle);
+        self.system.each().get(body).is_some_and(|part| part.counts_turns(own))
+    }
+
     /// A column measures points of one body.
     fn point_numbers(&self, points: &[u32]) -> Vec<[f64; POINT_NUMBERS]> {
         let Some(&first) = points.first() else { return Vec::new() };
