@@ -43,15 +43,15 @@ pub(super) struct Manner {
 pub(super) struct TouchingBodies {
     names: [String; 2],
     /// Particles of each body, those of others empty.
-    particles: Vec<Vec<u32>>,
+    pub(super) particles: Vec<Vec<u32>>,
     /// Number of each particle of a side among its places; of those without a face none.
     numbers: [Vec<u32>; 2],
     /// Particle of each place, the side before it.
     nodes: Vec<Node>,
     /// Particles of both sides at rest \[L\].
     rest: [Vec<Vec3>; 2],
-    contact: SurfaceContact,
-    touch: SurfaceTouch,
+    pub(super) contact: SurfaceContact,
+    pub(super) touch: SurfaceTouch,
     pace: Option<Pace>,
     /// Whether the contact was looked at where it is evaluated next.
     looked: bool,
