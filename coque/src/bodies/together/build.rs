@@ -179,10 +179,14 @@ fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<(BuiltBody<Part>, Opt
                 (part, side)
             }
         },
-        BodyScene::Rigid(rigid) => rigid_made(scene, rigid)?.map(|body| match marched {
-            true => Part::Marched(Box::new(body)),
-            false => Part::Balanced(Box::new(RestingBody::new(body))),
-        }),
+        BodyScene::Rigid(rigid) => {
+            let made = rigid_made(scene, rigid)?;
+            let part = made.map(|body| match marched {
+                true => Part::Marched(Box::new(body)),
+                false => Part::Balanced(Box::new(RestingBody::new(body))),
+            });
+            (part, None)
+        }
         BodyScene::Fluid(_) | BodyScene::Walls(_) => return Err(not_a(scene, "shell")),
     })
 }
