@@ -73,7 +73,8 @@
 //! | edges that cross between vertices | `edges.rs` |
 //! | two surfaces, or one with itself; forces, tangent, bounds of them | `surfaces.rs`; `surfaces/acting.rs` |
 //! | κ | `stiffness.rs` |
-//! | friction, its anchors, what it loses | `friction.rs` |
+//! | friction on tools, its anchors, what it loses | `friction.rs` |
+//! | friction of surfaces on each other, anchors in their faces | `surfaces/rubbing.rs`, `grips.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
 //! | springs between places of two bodies | `joints.rs` |
 //!
@@ -97,6 +98,7 @@
 mod edges;
 mod euler;
 mod friction;
+mod grips;
 mod joints;
 mod law;
 mod list;
