@@ -64,6 +64,7 @@ const EXAMPLES: [Example; 54] = [
     Example::new("plate-buckling", 0.2, include_str!("../../../scenes/plate-buckling.toml")),
     Example::new("plate-clamped", 0.1, include_str!("../../../scenes/plate-clamped.toml")),
     Example::new("plate-clamped-solid", 1.0, include_str!("../../../scenes/plate-clamped-solid.toml")),
+    Example::new("plate-on-plate", 4.0, include_str!("../../../scenes/plate-on-plate.toml")),
     Example::new("plate-orthotropic", 6.0, include_str!("../../../scenes/plate-orthotropic.toml")),
     Example::new("plate-pd", 6.0, include_str!("../../../scenes/plate-pd.toml")),
     Example::new("plate-shortened", 2.0, include_str!("../../../scenes/plate-shortened.toml")),

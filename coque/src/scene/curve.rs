@@ -121,7 +121,7 @@ pub enum Measured {
     ContactMoment,
     /// Gap between the face of a shell, at its particles, and that of the nearest tool, negative where they are in each other \[L\].
     ContactGap,
-    /// Energy that friction on tools has taken of a shell \[F L\].
+    /// Energy that friction has taken of a shell \[F L\]: on tools, and one half of what it took where the shell rubs on another or on itself.
     FrictionLoss,
     /// Component of the moment that the supports of a shell exert about a point \[F L\].
     ReactionMoment,

@@ -28,11 +28,15 @@ impl<S: Parts> Body for Together<S> {
     fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64 {
         let (body, own) = self.layout.place(particle);
         let of_body = self.system.each().get(body).map_or(0.0, |part| part.read(of, own, along));
-        if of != Measured::ContactForce {
-            return of_body;
-        }
         let between = self.layout.contacts.clone();
-        between.map(|contact| self.system.force_on(contact, body, own).dot(along)).sum::<f64>() + of_body
+        let of_contacts: f64 = match of {
+            Measured::ContactForce => {
+                between.map(|contact| self.system.force_on(contact, body, own).dot(along)).sum()
+            }
+            Measured::FrictionLoss => between.map(|contact| self.system.lost_at(contact, body, own)).sum(),
+            _ => return of_body,
+        };
+        of_contacts + of_body
     }
 
     /// A column measures points of one body.

@@ -30,6 +30,9 @@ pub(super) trait Parts: Send {
     /// What an interaction last exerted on a particle of a body \[F\].
     fn force_on(&self, interaction: usize, body: usize, particle: usize) -> Vec3;
 
+    /// Energy that an interaction lost at a particle of a body \[F L\].
+    fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64;
+
     /// What each interaction keeps with a state.
     fn kept(&self) -> Vec<Vec<f64>>;
 
@@ -48,6 +51,10 @@ impl Parts for Marched {
 
     fn force_on(&self, interaction: usize, body: usize, particle: usize) -> Vec3 {
         Marched::force_on(self, interaction, body, particle as u32).into()
+    }
+
+    fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64 {
+        Marched::lost_at(self, interaction, body, particle as u32)
     }
 
     fn kept(&self) -> Vec<Vec<f64>> {
@@ -70,6 +77,10 @@ impl Parts for Balanced {
 
     fn force_on(&self, interaction: usize, body: usize, particle: usize) -> Vec3 {
         Balanced::force_on(self, interaction, body, particle as u32).into()
+    }
+
+    fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64 {
+        Balanced::lost_at(self, interaction, body, particle as u32)
     }
 
     fn kept(&self) -> Vec<Vec<f64>> {
