@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 54] = [
+const EXAMPLES: [Example; 55] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
@@ -64,6 +64,7 @@ const EXAMPLES: [Example; 54] = [
     Example::new("plate-buckling", 0.2, include_str!("../../../scenes/plate-buckling.toml")),
     Example::new("plate-clamped", 0.1, include_str!("../../../scenes/plate-clamped.toml")),
     Example::new("plate-clamped-solid", 1.0, include_str!("../../../scenes/plate-clamped-solid.toml")),
+    Example::new("plate-on-plate", 4.0, include_str!("../../../scenes/plate-on-plate.toml")),
     Example::new("plate-orthotropic", 6.0, include_str!("../../../scenes/plate-orthotropic.toml")),
     Example::new("plate-pd", 6.0, include_str!("../../../scenes/plate-pd.toml")),
     Example::new("plate-shortened", 2.0, include_str!("../../../scenes/plate-shortened.toml")),
