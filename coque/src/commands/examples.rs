@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 54] = [
+const EXAMPLES: [Example; 55] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
@@ -46,6 +46,7 @@ const EXAMPLES: [Example; 54] = [
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
     Example::new("dam-break", 3.0, include_str!("../../../scenes/dam-break.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
+    Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
     Example::new("gate", 7.0, include_str!("../../../scenes/gate.toml")),
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
