@@ -35,7 +35,11 @@ impl Example {
     }
 }
 
+<<<<<<< HEAD
 const EXAMPLES: [Example; 59] = [
+=======
+const EXAMPLES: [Example; 55] = [
+>>>>>>> h-solids
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-on-flat", 1.0, include_str!("../../../scenes/cantilever-on-flat.toml")),
@@ -47,7 +51,11 @@ const EXAMPLES: [Example; 59] = [
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
     Example::new("dam-break", 3.0, include_str!("../../../scenes/dam-break.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
+<<<<<<< HEAD
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
+=======
+    Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
+>>>>>>> h-solids
     Example::new("gate", 7.0, include_str!("../../../scenes/gate.toml")),
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
