@@ -35,8 +35,9 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 54] = [
+const EXAMPLES: [Example; 56] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
+    Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
     Example::new("capstan", 10.0, include_str!("../../../scenes/capstan.toml")),
@@ -77,6 +78,7 @@ const EXAMPLES: [Example; 54] = [
     Example::new("ring-pressure", 0.1, include_str!("../../../scenes/ring-pressure.toml")),
     Example::new("scordelis-lo", 0.1, include_str!("../../../scenes/scordelis-lo.toml")),
     Example::new("shell-in-water", 24.0, include_str!("../../../scenes/shell-in-water.toml")),
+    Example::new("spinning-block", 0.1, include_str!("../../../scenes/spinning-block.toml")),
     Example::new("stepped-plate", 0.1, include_str!("../../../scenes/stepped-plate.toml")),
     Example::new(
         "stiffened-panel-abaqus",

@@ -156,7 +156,7 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
         }
         BodyScene::Rigid(_) => {
             let mut known = vec![Displacement, Position, Velocity, Rotation, Reaction, ReactionMoment];
-            known.extend(scene.is_touched().then_some(ContactForce));
+            known.extend(scene.may_touch().then_some(ContactForce));
             return known;
         }
         BodyScene::Shell(_) | BodyScene::Solid(_) => {}
