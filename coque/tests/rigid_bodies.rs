@@ -163,15 +163,15 @@ fn a_ball_that_bounces_keeps_momentum_and_energy() {
             "curve",
             "[{ name = \"ball\", of = \"velocity\", on = \"ball.all\", direction = [0, 0, 1] }, \
               { name = \"force\", of = \"contact-force\", on = \"ball.all\", direction = [0, 0, 1] }, \
-              { name = \"felt\", of = \"contact-force\", on = \"plate.all\", direction = [0, 0, 1] }]",
+              { name = \"on_plate\", of = \"contact-force\", on = \"plate.all\", direction = [0, 0, 1] }]",
         ),
     ];
     let found = run(BALL, &free);
-    let (force, felt) = (column(&found, "force"), column(&found, "felt"));
+    let (force, on_plate) = (column(&found, "force"), column(&found, "on_plate"));
     let most = force.iter().copied().fold(0.0, f64::max);
     assert!(most > 10.0, "{most}");
-    for (force, felt) in force.iter().zip(&felt) {
-        assert!((force + felt).abs() < 1e-12 * most, "{force} {felt}");
+    for (force, on_plate) in force.iter().zip(&on_plate) {
+        assert!((force + on_plate).abs() < 1e-12 * most, "{force} {on_plate}");
     }
     assert!(last(&found, "ball") > -0.9);
     let spin = 0.5 * 0.4 * 0.2 * 0.0025 * 9.0;
