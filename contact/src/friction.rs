@@ -74,6 +74,14 @@ impl Friction {
         self.trial.iter().map(|grip| grip.lost).sum()
     }
 
+    /// How far a vertex that touches stood from its anchor when forces were last evaluated, in the frame of the tool \[L\], and the
+    /// coefficient μ; none of one that had no anchor.
+    pub(crate) fn held(&self, vertex: u32) -> Option<(Vec3, f64)> {
+        let number = self.trial.binary_search_by_key(&vertex, |grip| grip.vertex).ok()?;
+        let grip = self.trial.get(number).filter(|grip| grip.holds)?;
+        Some((grip.stretch, self.coefficient))
+    }
+
     /// The committed anchors as seven numbers a vertex.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
         let of = |grip: &Grip| {

@@ -73,6 +73,8 @@
 //! | edges that cross between vertices | `edges.rs` |
 //! | two surfaces, or one with itself; forces, tangent, bounds of them | `surfaces.rs`; `surfaces/acting.rs` |
 //! | κ | `stiffness.rs` |
+//! | what nodes feel of contact, to be read; gaps | `felt.rs` |
+//! | bodies that are too near although nothing acts between them | `unseen.rs` |
 //! | friction, its anchors, what it loses | `friction.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
 //! | springs between places of two bodies | `joints.rs` |
@@ -96,6 +98,7 @@
 
 mod edges;
 mod euler;
+mod felt;
 mod friction;
 mod joints;
 mod law;
@@ -110,8 +113,10 @@ mod surface;
 mod surfaces;
 mod tool;
 mod touch;
+mod unseen;
 mod watch;
 
+pub use felt::{Felt, Grip};
 pub use friction::Friction;
 pub use joints::{Joint, Joints};
 pub use law::Law;
@@ -119,9 +124,10 @@ pub use mesh::Mesh;
 pub use pace::{Moving, Pace};
 pub use pair::Pair;
 pub use pose::Pose;
-pub use stiffness::stiffness;
+pub use stiffness::{stiffness, thickness_bounds};
 pub use surface::{Surface, Vertex};
 pub use surfaces::{Deepest, Node, SurfaceContact, SurfaceTouch, Touching};
 pub use tool::{Face, Gap, ToolError, ToolShape};
 pub use touch::{ToolContact, Touch};
+pub use unseen::{Bystander, TooNear};
 pub use watch::Watch;

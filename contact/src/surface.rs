@@ -96,9 +96,13 @@ impl Surface {
 
     /// The vertex of a particle; none if it has no area.
     pub(crate) fn of_particle(&self, particle: u32) -> Option<&Vertex> {
+        self.number_of(particle).map(|number| &self.vertices[number as usize])
+    }
+
+    /// Its number.
+    pub(crate) fn number_of(&self, particle: u32) -> Option<u32> {
         let particles = &self.vertices[..self.particles];
-        let number = particles.binary_search_by_key(&particle, |vertex| vertex.nodes[0]).ok()?;
-        Some(&particles[number])
+        particles.binary_search_by_key(&particle, |vertex| vertex.nodes[0]).ok().map(|number| number as u32)
     }
 
     /// Particles, then middles.

@@ -169,8 +169,8 @@ pub use analyses::{Estimate, Event, RunOptions, Simulation};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
     Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
-    LoadResultants, Memory, Mismatch, Model, NoPush, Part, PrescribedPoint, Probe, Ready, Resultant, Shape,
-    State, StateArray, StaticBody, TangentCost, Task,
+    LoadResultants, Memory, Mismatch, Model, NoPush, Outline, Part, PrescribedPoint, Probe, Ready, Resultant,
+    Shape, State, StateArray, StaticBody, TangentCost, Task,
 };
 pub use commands::command_line;
 pub use explicit_dynamics::Exert;

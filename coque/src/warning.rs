@@ -110,6 +110,14 @@ pub enum WarningKind {
     LargeStrain,
     /// A linear answer that is not small.
     LargeLinear,
+    /// Faces that are far in each other.
+    DeepContact,
+    /// Cells that sag far towards a round tool.
+    CoarseContact,
+    /// Steps in time that contact made much shorter.
+    ShortenedStep,
+    /// Bodies between which no contact is named, or parts of a shell, that are in each other.
+    TouchingUnseen,
     /// States at which a march came to rest without a look at whether they are stable.
     StabilityUnknown,
     /// Energy that comes or goes in a march without a book that says whence or whither.
@@ -172,6 +180,10 @@ impl WarningKind {
             Self::ShearLocking => "shear-locking",
             Self::LargeStrain => "large-strain",
             Self::LargeLinear => "large-linear",
+            Self::DeepContact => "deep-contact",
+            Self::CoarseContact => "coarse-contact",
+            Self::ShortenedStep => "shortened-step",
+            Self::TouchingUnseen => "touching-unseen",
             Self::StabilityUnknown => "stability-unknown",
             Self::OpenBalance => "open-balance",
         }
@@ -253,6 +265,10 @@ mod tests {
             WarningKind::ShearLocking,
             WarningKind::LargeStrain,
             WarningKind::LargeLinear,
+            WarningKind::DeepContact,
+            WarningKind::CoarseContact,
+            WarningKind::ShortenedStep,
+            WarningKind::TouchingUnseen,
             WarningKind::StabilityUnknown,
             WarningKind::OpenBalance,
         ] {

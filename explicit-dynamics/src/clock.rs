@@ -15,6 +15,26 @@ const GROWTH: f64 = 4.0;
 /// Part of a step by which steps may be longer than asked for, all of them together, so that none is wasted on rounding.
 const SLIVER: f64 = 1e-6;
 
+/// Steps that a system made shorter than its stable one ([`Dynamics::shortened`]).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Shortened {
+    /// How many.
+    pub steps: u64,
+    /// The least over the stable one \[–\]; zero where there was none.
+    pub least: f64,
+    /// When that was \[T\].
+    pub time: f64,
+}
+
+impl Shortened {
+    fn take(&mut self, share: f64, time: f64) {
+        if self.steps == 0 || share < self.least {
+            (self.least, self.time) = (share, time);
+        }
+        self.steps += 1;
+    }
+}
+
 /// Time, step size and energy balance of a system under way.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Clock {
@@ -39,6 +59,7 @@ pub struct Clock {
     last_dt: f64,
     initial: Option<f64>,
     last_good: Option<Box<Record>>,
+    shortened: Shortened,
     /// Kinetic energy when the particles were last watched \[F L\].
     watched: f64,
 }
@@ -72,6 +93,7 @@ impl Clock {
             last_dt: 0.0,
             initial: None,
             last_good: None,
+            shortened: Shortened::default(),
             watched: 0.0,
         };
         clock.estimate_step(system)?;
@@ -120,6 +142,11 @@ impl Clock {
         self.last_good = Some(Box::new(record));
     }
 
+    /// Steps that the system made shorter than its stable one.
+    pub fn shortened(&self) -> Shortened {
+        self.shortened
+    }
+
     /// The last record of a run that was in good order.
     pub fn last_good(&self) -> Option<&Record> {
         self.last_good.as_deref()
@@ -129,12 +156,15 @@ impl Clock {
     /// equal. Where the limit is a whole number of steps away, rounding would make it one more: steps would shrink in front
     /// of every record, and such a rhythm feeds the fast modes (central differences keep energy for equal steps only).
     pub(crate) fn next_step<S: Dynamics + ?Sized>(
-        &self,
+        &mut self,
         system: &mut S,
         limit: f64,
         level: impl Fn(f64) -> f64,
     ) -> Step {
         let most = system.shortened(self.dt, self.safety);
+        if most < self.dt {
+            self.shortened.take(most / self.dt, self.now.time);
+        }
         let dt = if limit.is_finite() { limit / (limit / most - SLIVER).ceil().max(1.0) } else { most };
         let time = self.now.time + dt;
         Step {

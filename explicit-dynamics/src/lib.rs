@@ -183,7 +183,7 @@ mod transient;
 mod two_clocks;
 
 pub use amplitude::Amplitude;
-pub use clock::Clock;
+pub use clock::{Clock, Shortened};
 pub use damping::{Damping, KineticDamping};
 pub use dynamics::{Bounds, Dynamics};
 pub use error::{MarchError, OutOfBounds, OutOfRange};

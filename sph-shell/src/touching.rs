@@ -1,10 +1,10 @@
 //! What a shell touches, tools or itself, and what of that a checkpoint keeps.
 
-use contact::{Deepest, Mesh, SurfaceTouch};
+use contact::{Deepest, Felt, Mesh, SurfaceTouch};
 use sph_core::Vec3;
 
 use crate::Shell;
-use crate::conditions::touched::{contact_stiffness, touched_mesh};
+use crate::conditions::touched::{contact_spacing, contact_stiffness, touched_mesh};
 use crate::error::ShellError;
 
 impl Shell {
@@ -18,6 +18,19 @@ impl Shell {
         let scales = self.material.scales();
         let all = std::iter::once(scales.uniform).chain(scales.own);
         Ok((mesh, thickness, contact_stiffness(all, &self.reference.cloud)))
+    }
+
+    /// Half of its thickness where that is least \[L\]; none of a shell without cells, and of one with sections off its particles.
+    pub fn least_half_thickness(&self) -> Option<f64> {
+        let half = self.material.half_thickness(&self.reference).ok()?;
+        half.into_iter().filter(|half| *half > 0.0).reduce(f64::min)
+    }
+
+    /// Whether its stiffness of contact is what the thickness gives, not what steps in time bear.
+    pub fn thickness_bounds_contact(&self) -> bool {
+        let scales = self.material.scales();
+        let mut all = std::iter::once(scales.uniform).chain(scales.own);
+        all.all(|own| contact::thickness_bounds(own.thickness, contact_spacing(&self.reference.cloud)))
     }
 
     /// Whether it may touch tools or itself.
@@ -40,6 +53,34 @@ impl Shell {
     pub fn deepest_in_itself(&self) -> Option<Deepest> {
         let found = self.loading.own_contact.as_ref()?.deepest(&self.motion.state)?;
         Some(Deepest { places: found.places.map(|place| self.reference.from_zero(place)), ..found })
+    }
+
+    /// What each particle feels of tools and of the shell itself, for the forces last evaluated.
+    pub fn felt(&self) -> Vec<Felt> {
+        let mut felt = vec![Felt::default(); self.len()];
+        self.loading.tools.felt(&self.motion.state, &mut felt);
+        if let Some(own) = &self.loading.own_contact {
+            own.felt(&mut felt);
+        }
+        felt
+    }
+
+    /// Gaps between its faces and those of the nearest tool, or of the shell itself, at some particles \[L\], tools as for the forces last
+    /// evaluated; of the shell itself up to ten thicknesses, infinite where it touches nothing.
+    pub fn contact_gaps(&self, particles: &[u32]) -> Vec<f64> {
+        let state = &self.motion.state;
+        let mut gaps: Vec<f64> = particles.iter().map(|&a| self.tool_gap(a as usize)).collect();
+        if let Some(own) = &self.loading.own_contact {
+            let own = own.gaps(particles, state);
+            gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap = gap.min(own));
+        }
+        gaps
+    }
+
+    /// The place of it that is deepest in a tool, by its number, from zero \[L\], for the forces last evaluated.
+    pub fn deepest_in_tool(&self, tool: usize) -> Option<Vec3> {
+        let place = self.loading.tools.deepest(tool, &self.motion.state)?;
+        Some(self.reference.from_zero(place))
     }
 
     /// Stiffness of the contact with itself, of a unit of area \[F/L³\].

@@ -92,6 +92,30 @@ impl SurfaceContact {
         Some(Deepest { node, places: [here, there], depth: contact.depth })
     }
 
+    /// Number of pairs of a vertex and a feature that touch, for the state last looked at.
+    pub(crate) fn touched(&self) -> usize {
+        self.contacts.len()
+    }
+
+    /// The body and the vertex of one of them, and its depth over D \[–\].
+    pub(crate) fn vertex_of(&self, number: usize) -> (usize, u32, f64) {
+        let contact = &self.contacts[number];
+        (self.passes[contact.pass].of, contact.vertex, contact.depth)
+    }
+
+    /// Hands the size of the force of one of them on each of its nodes to `push` \[F\], negative where it takes away what counts twice.
+    pub(crate) fn each_push(&self, number: usize, mut push: impl FnMut(Node, f64)) {
+        let contact = &self.contacts[number];
+        self.each_node(contact, |node, weight| push(node, -contact.slope * weight.abs()));
+    }
+
+    /// Whether a node may touch a face of the other surface, or of its own.
+    pub(crate) fn may_touch(&self, (body, a): Node, face: &[u32; 3]) -> bool {
+        let Some(near) = &self.near else { return true };
+        let own = self.meshes[body].surface().number_of(a);
+        own.is_some_and(|own| !near.any(own, face))
+    }
+
     /// Greatest depth of edges that push, one less their distance over that from which they do \[–\].
     pub fn greatest_crossing(&self) -> f64 {
         let depth = |pushed: &Pushed| 1.0 - pushed.crossing.distance / pushed.within;

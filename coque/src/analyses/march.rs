@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use explicit_dynamics::{Event, Instant, LevelReached, March, MarchState, Missing, Plan, Record};
+use explicit_dynamics::{Event, Instant, LevelReached, March, MarchState, Missing, Plan, Record, Shortened};
 use implicit_statics::Inertia;
 
 use super::stability::Stability;
@@ -12,7 +12,7 @@ use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::Ended;
 use crate::run::progress::ProgressReport;
-use crate::run::record::{Energies, LevelSummary, RunRecord};
+use crate::run::record::{Energies, LevelSummary, RunRecord, ShortenedSummary};
 use crate::scene::{Explicit, QuasiStatic, Transient};
 
 /// A march under way: from the start, or from where an earlier one stood.
@@ -134,6 +134,8 @@ impl Marching {
         warning_balance(body, &mut run.record);
         if let Some(march) = &self.march {
             run.record.steps = march.clock().steps;
+            let Shortened { steps, least, time } = march.clock().shortened();
+            run.record.shortened = (steps > 0).then_some(ShortenedSummary { steps, least, time });
         }
     }
 }
@@ -222,6 +224,7 @@ impl Watch {
         };
         found.balance.get_or_insert_default().take(at.time, &found.energies);
         self.settled |= record.settled;
+        run.contact.look_in_time(body, record, &mut run.record);
         if self.path.is_none() {
             return run.keep_latest(body, at.time, at.level);
         }

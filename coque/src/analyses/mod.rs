@@ -24,6 +24,7 @@ use crate::fields::{FieldSink, Frames};
 use crate::results::curve::Curve;
 use crate::run::Run;
 use crate::run::checkpoint::{Checkpoint, CheckpointError, Checkpoints};
+use crate::run::contact_watch::ContactWatch;
 use crate::run::impulses::Impulses;
 use crate::run::outcome::{Ended, Outcome};
 use crate::run::progress::Progress;
@@ -68,6 +69,10 @@ impl Model {
         let driven = self.driven.map(|driven| driven.particle);
         let forces = self.probes.iter().filter(|probe| probe.of.has_mean()).count();
         Run {
+            contact: ContactWatch::new(match true_to_scale(&self.task.analysis) {
+                true => std::mem::take(&mut self.contacts),
+                false => std::mem::take(&mut self.contacts).named_only(),
+            }),
             impulses: Impulses::new(forces),
             curve: Curve { columns: self.columns(), rows: Vec::new() },
             shapes: Vec::new(),

@@ -14,6 +14,7 @@ use crate::fields::Frame;
 use crate::results::curve::Curve;
 use crate::run::Run;
 use crate::run::checkpoint::{CheckpointError, Stage};
+use crate::run::contact_watch::ContactWatch;
 use crate::run::outcome::{Ended, Failure, Outcome};
 
 /// A run under way: a model, how far its analysis has come, and what was found so far.
@@ -247,8 +248,10 @@ impl<'a> Simulation<'a> {
     }
 
     fn outcome(self) -> Outcome {
-        let Self { model, run, ended, started, .. } = self;
+        let at = self.course.stands_at();
+        let Self { model, mut run, ended, started, .. } = self;
         let ended = ended.unwrap_or_default();
+        run.contact.look(model.body.body(), [at.time, at.level], &mut run.record);
         let Run { curve, mut shapes, latest, states, mut record, supports, frames, .. } = run;
         if let Ready::Static(body) = &model.body {
             record.warnings.extend(body.warnings());
@@ -259,6 +262,7 @@ impl<'a> Simulation<'a> {
         let found = model.body.body().diagnostics();
         record.fluid = found.fluid;
         record.warnings.extend(found.warnings);
+        ContactWatch::judge(&mut record);
         shapes.extend(latest);
         let cells = model.body.body().configuration().cells.to_vec();
         // Modes and linear answers are drawn larger than they are.

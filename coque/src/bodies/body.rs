@@ -3,13 +3,16 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use contact::Felt;
 use explicit_dynamics::{Dynamics, Exert};
 use implicit_statics::Equilibrium;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 
+use super::contact_now::{ContactNow, FeltFields};
 use super::field_source::{FieldRequest, FieldSource};
 use super::figures::FluidFigures;
+use super::outline::Outline;
 use super::resultants::{LoadResultants, Resultant};
 use super::sampled::POINT_NUMBERS;
 use crate::Warning;
@@ -50,6 +53,36 @@ pub trait Body: Send {
     /// The same as [`Body::fields`] for one of the bodies that it is made of.
     fn fields_of<'a>(&'a self, _body: usize, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         self.fields(shown)
+    }
+
+    /// The same as [`Body::fields`] with what its particles feel of contact.
+    fn fields_felt<'a>(&'a self, shown: &FieldRequest<'a>, _felt: FeltFields) -> Box<dyn FieldSource + 'a> {
+        self.fields(shown)
+    }
+
+    /// The body of a particle among those that it is made of, and its number there.
+    fn place(&self, particle: usize) -> (usize, usize) {
+        (0, particle)
+    }
+
+    /// What each particle of one of its bodies feels of contact, for the forces last evaluated; nothing where nothing touches it.
+    fn felt(&self, _body: usize) -> Vec<Felt> {
+        Vec::new()
+    }
+
+    /// Gaps between its faces and those of whatever may touch it at some particles of one of its bodies \[L\], infinite where there is nothing.
+    fn gaps(&self, _body: usize, particles: &[u32]) -> Vec<f64> {
+        vec![f64::INFINITY; particles.len()]
+    }
+
+    /// The contacts of all of its bodies, with what they do now.
+    fn contacts(&self) -> Vec<ContactNow> {
+        Vec::new()
+    }
+
+    /// What others may run into of it and of the bodies that it is made of, fluids and walls apart.
+    fn outlines(&self) -> Vec<Outline> {
+        Vec::new()
     }
 
     /// What it noticed so far beside what is measured on it.

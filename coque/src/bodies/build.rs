@@ -1,5 +1,6 @@
 //! From a checked scene to a body with its task: which kind is built.
 
+use super::contacts_of_scene::ContactsOfScene;
 use super::coupled::build::coupled_model;
 use super::galerkin::build::galerkin_model;
 use super::model::Model;
@@ -20,6 +21,7 @@ impl Checked {
     /// whatever the layers below refuse.
     pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
         let mut model = self.body_model(threads)?;
+        model.contacts = ContactsOfScene::of(self, model.body.body());
         model.barred = self.error.as_ref().map(|_| Box::new(self.clone()));
         Ok(model)
     }

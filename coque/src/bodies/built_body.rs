@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::body::{Description, PrescribedPoint, Ready};
+use super::contacts_of_scene::ContactsOfScene;
 use super::memory::Memory;
 use super::model::{Identity, Model, ShapeJudge, Task};
 use super::probe::Probe;
@@ -58,6 +59,7 @@ impl BuiltBody<Ready> {
             threads,
             warnings,
             judge,
+            contacts: ContactsOfScene::default(),
             sets,
             barred,
             increments: Vec::new(),

@@ -30,6 +30,8 @@ pub struct FieldRequest<'a> {
     pub stresses: bool,
     /// Whether it is wanted where the lattice of a shell is too coarse, as far as strains tell.
     pub indicator: bool,
+    /// Whether it is wanted what particles feel of contact.
+    pub contact: bool,
     /// The particle whose prescribed motion drives an analysis without time: it bears a reaction though no support
     /// holds it.
     pub driven: Option<u32>,

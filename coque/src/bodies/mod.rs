@@ -9,6 +9,8 @@
 //! | which kind is built; what all kinds refuse | `build.rs`; `refusal.rs` |
 //! | what loads and supports amount to | `resultants.rs` |
 //! | which rigid motions are free | `rigid.rs` |
+//! | bodies that nothing keeps apart | `outline.rs`, `unseen.rs` |
+//! | contacts with what they do now, and their names | `contact_now.rs`, `contacts_of_scene.rs` |
 //! | shells; solids with bonds, without; fluids and walls | `shell/`; `solid/`, `galerkin/`; `fluid/` |
 //! | rigid bodies | `rigid_body/` |
 //! | several bodies without a fluid as one body | `together/` |
@@ -18,6 +20,8 @@ mod beside;
 pub(crate) mod body;
 mod build;
 mod built_body;
+mod contact_now;
+pub(crate) mod contacts_of_scene;
 mod coupled;
 mod field_source;
 mod figures;
@@ -26,6 +30,7 @@ mod galerkin;
 mod imperfect;
 pub(crate) mod memory;
 pub(crate) mod model;
+mod outline;
 pub(crate) mod probe;
 mod refusal;
 mod resultants;
@@ -36,6 +41,7 @@ pub(crate) mod sets;
 pub(crate) mod shell;
 mod solid;
 mod together;
+mod unseen;
 
 pub(crate) use body::extent;
 pub use body::{
@@ -43,10 +49,12 @@ pub use body::{
     StateArray, StaticBody, TangentCost,
 };
 use built_body::BuiltBody;
+pub use contact_now::{ContactNow, FeltFields, With};
 pub use field_source::{FieldRequest, FieldSource, Part, State};
 pub use figures::FluidFigures;
 pub use memory::Memory;
 pub(crate) use model::Identity;
 pub use model::{Model, NoPush, Task};
+pub use outline::Outline;
 pub use probe::Probe;
 pub use resultants::{LoadResultants, Resultant};

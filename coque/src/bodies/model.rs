@@ -7,6 +7,7 @@ use explicit_dynamics::Exert;
 use sph_core::Cell;
 
 use super::body::{Description, PrescribedPoint, Ready, Shape};
+use super::contacts_of_scene::ContactsOfScene;
 use super::memory::Memory;
 use super::probe::Probe;
 use crate::Warning;
@@ -56,6 +57,8 @@ pub struct Model {
     pub(crate) threads: usize,
     pub(crate) warnings: Vec<Warning>,
     pub(crate) judge: Option<ShapeJudge>,
+    /// The contacts of its scene by name, and what nothing keeps apart.
+    pub(crate) contacts: ContactsOfScene,
     /// Its scene, where the errors of its numbers are asked for.
     pub(crate) barred: Option<Box<Checked>>,
     /// Changes of the state from one level to the next, from which the levels of a static analysis start; none where each starts at the one
@@ -105,6 +108,7 @@ impl Model {
             threads: 1,
             warnings: Vec::new(),
             judge: None,
+            contacts: ContactsOfScene::default(),
             barred: None,
             increments: Vec::new(),
             sets: BTreeMap::new(),

@@ -126,6 +126,9 @@ impl Probe {
         if let Some(sampled) = &self.sampled {
             return sampled.values(&body.point_numbers(&self.particles));
         }
+        if matches!(self.of, Measured::ContactGap | Measured::GreatestDepth | Measured::TouchingArea) {
+            return self.felt(body);
+        }
         let followed =
             self.of == Measured::Rotation && !self.particles.iter().all(|&a| body.counts_turns(a as usize));
         if followed {
@@ -142,6 +145,24 @@ impl Probe {
             }
         };
         (0..self.particles.len()).map(one).collect()
+    }
+
+    /// What the particles feel of contact, all of one body.
+    fn felt(&self, body: &dyn Body) -> Vec<f64> {
+        let Some(&first) = self.particles.first() else { return Vec::new() };
+        let (of, own) = body.place(first as usize);
+        let before = first - own as u32;
+        let own: Vec<u32> = self.particles.iter().map(|a| a - before).collect();
+        if self.of == Measured::ContactGap {
+            return body.gaps(of, &own);
+        }
+        let felt = body.felt(of);
+        let one = |&a: &u32| match felt.get(a as usize) {
+            Some(felt) if self.of == Measured::GreatestDepth => felt.depth,
+            Some(felt) => felt.area,
+            None => 0.0,
+        };
+        own.iter().map(one).collect()
     }
 
     fn count_on(&mut self, body: &dyn Body) {

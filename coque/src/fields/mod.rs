@@ -63,6 +63,7 @@ impl<'a> Frame<'a> {
             units: task.units,
             stresses: false,
             indicator: false,
+            contact: task.output.fields.is_some_and(|fields| fields.contact),
             driven,
             forces: None,
         };
@@ -134,6 +135,8 @@ pub(crate) struct Frames<'a> {
     units: Units,
     /// Whether frames show where the lattice is too coarse.
     indicator: bool,
+    /// Whether frames show what particles feel of contact.
+    contact: bool,
     /// Frames that the run had to show so far.
     pub(crate) offered: u64,
     /// Frames that the sink took.
@@ -168,7 +171,9 @@ impl<'a> Frames<'a> {
         };
         let every = task.output.fields.map_or(1, |fields| fields.every).max(1);
         let units = task.units;
-        Self { sink, every, state, along, driven, units, indicator, offered: 0, taken: 0, failure: None }
+        let contact = task.output.fields.is_some_and(|fields| fields.contact);
+        let (offered, taken, failure) = (0, 0, None);
+        Self { sink, every, state, along, driven, units, indicator, contact, offered, taken, failure }
     }
 
     /// Hands a frame on if its turn has come; `Break` if the sink cannot go on.
@@ -198,9 +203,8 @@ impl<'a> Frames<'a> {
                 Along::Level => level,
                 Along::Number(first) => (first + number) as f64,
             };
-            let Self { state, driven, units, .. } = *self;
-            let indicator = self.indicator;
-            let shown = FieldRequest { state, units, stresses: false, indicator, driven, forces };
+            let Self { state, driven, units, indicator, contact, .. } = *self;
+            let shown = FieldRequest { state, units, stresses: false, indicator, contact, driven, forces };
             let frame = Frame { body, shown, along, level, time };
             match self.sink.frame(&frame) {
                 Ok(()) => self.taken += 1,

@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use implicit_statics::EquilibriumError;
 
 use super::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Contents, Stage, checksum};
+use super::contact_watch::ContactWatch;
 use super::impulses::Impulses;
 use super::outcome::{Ended, Failure};
 use super::progress::{Progress, ProgressReport};
@@ -37,6 +38,8 @@ pub(crate) struct Run<'a> {
     pub force_unit: Option<String>,
     /// What the supports exerted at the last record.
     pub supports: Option<Resultant>,
+    /// Looks at contact where the run records.
+    pub contact: ContactWatch,
     /// Where frames of fields go, if anywhere.
     pub frames: Option<Frames<'a>>,
     /// Who receives its progress, if anyone does.
@@ -82,6 +85,8 @@ impl Run<'_> {
     ///
     /// The forces of the body must be those of its state.
     pub fn keep_shape(&mut self, body: &dyn Body, time: f64, level: f64) -> ControlFlow<()> {
+        self.contact.note(body, [time, level], &mut self.record);
+        self.contact.look(body, [time, level], &mut self.record);
         self.keep_positions(body.configuration().present, time, level);
         self.keep_state(body);
         self.offer(body, time, level)
@@ -143,6 +148,7 @@ impl Run<'_> {
             turns: self.probes.iter().map(|probe| Cow::Borrowed(&probe.turns[..])).collect(),
             impulses: Cow::Borrowed(&self.impulses),
             supports: self.supports,
+            looked: self.contact.looked,
             record: Cow::Owned(record),
             latest: self.latest.as_ref().map(Cow::Borrowed),
             offered,
@@ -181,6 +187,7 @@ impl Run<'_> {
         }
         (self.curve.rows, self.shapes) = (grown.rows, grown.shapes);
         self.latest = kept.latest.map(Cow::into_owned);
+        self.contact.looked = kept.looked;
         (self.impulses, self.supports) = (kept.impulses.into_owned(), kept.supports);
         self.record = kept.record.into_owned();
         if let Some(frames) = &mut self.frames {

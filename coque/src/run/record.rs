@@ -38,6 +38,10 @@ pub struct RunRecord {
     pub energies: Energies,
     /// How well the energies of a march balance; none without time.
     pub balance: Option<BalanceSummary>,
+    /// What each contact did; empty without contact.
+    pub contacts: Vec<ContactSummary>,
+    /// Steps in time that contact made shorter; none where it did not.
+    pub shortened: Option<ShortenedSummary>,
     /// How each load level ended; empty without levels.
     pub levels: Vec<LevelSummary>,
     /// What may be wrong with the numbers above, and why.
@@ -152,6 +156,38 @@ impl Energies {
     pub(crate) fn at_rest(internal: f64) -> Self {
         Self { internal, external: internal, ..Self::default() }
     }
+}
+
+/// A contact, over all records.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ContactSummary {
+    /// What touches what.
+    pub between: String,
+    /// Stiffness of a unit of area \[F/L³\].
+    pub stiffness: f64,
+    /// Which bound that is: "thickness", or "step" in time; none where two bodies give it.
+    pub set_by: Option<String>,
+    /// Greatest depth at a record over the distance at which faces touch \[–\].
+    pub greatest_depth: f64,
+    /// When that was \[T\]; zero without time.
+    pub time: f64,
+    /// At which level.
+    pub level: f64,
+    /// Where \[L\]; none where nothing was deep.
+    pub place: Option<[f64; 3]>,
+    /// Greatest area at a record that touched \[L²\].
+    pub greatest_area: f64,
+}
+
+/// Steps in time that contact made shorter than the bodies alone would take.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ShortenedSummary {
+    /// How many.
+    pub steps: u64,
+    /// The shortest over that of the bodies \[–\].
+    pub least: f64,
+    /// When that was \[T\].
+    pub time: f64,
 }
 
 /// How well the energies of a march balance, over all of its records.

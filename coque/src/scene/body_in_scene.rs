@@ -177,6 +177,12 @@ impl<'a> BodyInScene<'a> {
         }
     }
 
+    /// Whether any body of the scene is a shell that may touch.
+    pub(crate) fn any_may_touch(&self) -> bool {
+        let tools = |body: &BodyScene| matches!(body, BodyScene::Shell(shell) if !shell.tools.is_empty());
+        !self.scene.contact.is_empty() || self.scene.bodies.values().any(tools)
+    }
+
     /// Whether the shell has stresses of its own at the start.
     pub(crate) fn is_stressed(&self) -> bool {
         self.as_shell().is_some_and(|shell| !shell.initial_stress.is_empty())

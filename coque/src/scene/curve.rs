@@ -85,12 +85,13 @@ impl Probe {
 
 impl Take {
     /// What is taken where nothing is said: the sum of forces, moments and energies that add up, the largest of von Mises'
-    /// stress, the least of gaps, else the mean.
+    /// stress and of depths, the least of gaps, else the mean.
     pub fn usual(of: Measured) -> Self {
         match of {
             Measured::Reaction
             | Measured::ContactForce
             | Measured::ContactMoment
+            | Measured::TouchingArea
             | Measured::FractureEnergy
             | Measured::FrictionLoss
             | Measured::Force
@@ -98,7 +99,7 @@ impl Take {
             | Measured::ReactionMoment
             | Measured::Energy
             | Measured::Flux => Self::Sum,
-            Measured::VonMises => Self::Max,
+            Measured::VonMises | Measured::GreatestDepth => Self::Max,
             Measured::ContactGap => Self::Min,
             _ => Self::Mean,
         }
@@ -119,8 +120,14 @@ pub enum Measured {
     ContactForce,
     /// Component of the moment that its tools exert on a shell about a point \[F L\].
     ContactMoment,
-    /// Gap between the face of a shell, at its particles, and that of the nearest tool, negative where they are in each other \[L\].
+    /// Gap between the face of a shell, at its particles, and that of the nearest tool, of the shell itself or of another shell, negative where they
+    /// are in each other \[L\]; of shells up to ten times the distance at which they touch, which stands for all beyond.
     ContactGap,
+    /// Depth of contact of a shell, at its particles and its share of the middles of cells, over the distance of its middle at which faces
+    /// touch \[–\]: mid-surfaces come through at one. The largest of a set.
+    GreatestDepth,
+    /// Area of a shell that touches \[L²\].
+    TouchingArea,
     /// Energy that friction on tools has taken of a shell \[F L\].
     FrictionLoss,
     /// Component of the moment that the supports of a shell exert about a point \[F L\].
@@ -181,6 +188,8 @@ impl Measured {
             Self::ContactForce => "contact-force",
             Self::ContactMoment => "contact-moment",
             Self::ContactGap => "contact-gap",
+            Self::GreatestDepth => "greatest-depth",
+            Self::TouchingArea => "touching-area",
             Self::FrictionLoss => "friction-loss",
             Self::ReactionMoment => "reaction-moment",
             Self::VonMises => "von-mises",
@@ -214,7 +223,8 @@ impl Measured {
             }
             Self::Reaction | Self::ContactForce | Self::Force => Quantity::Force,
             Self::Rotation => Quantity::Angle,
-            Self::Director | Self::Damage | Self::Pieces => Quantity::Ratio,
+            Self::Director | Self::Damage | Self::GreatestDepth | Self::Pieces => Quantity::Ratio,
+            Self::TouchingArea => Quantity::Area,
             Self::Velocity => Quantity::Speed,
             Self::FractureEnergy
             | Self::FrictionLoss
@@ -238,6 +248,8 @@ impl Measured {
                 | Self::FractureEnergy
                 | Self::FrictionLoss
                 | Self::ContactGap
+                | Self::GreatestDepth
+                | Self::TouchingArea
                 | Self::Pieces
                 | Self::StrainEnergy
                 | Self::VonMises

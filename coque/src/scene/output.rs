@@ -33,6 +33,9 @@ pub struct Fields {
     /// Strains, resultants and, of homogeneous sections, surface stresses at the sampling points.
     #[serde(default)]
     pub stresses: bool,
+    /// What the particles of shells feel of contact: pressure, friction, depth, and whether they stick (1) or slip (2).
+    #[serde(default)]
+    pub contact: bool,
 }
 
 /// The error of every number, from runs on coarser lattices, finer where there are none: in `curve.csv` beside each column, as a band in the plot,

@@ -10,7 +10,8 @@ use coque::scene::Fields;
 use coque::{Checked, FieldSink, Outcome, RunOptions, Scene, Silent};
 use sph_core::Vec3;
 
-pub const EVERYTHING: Fields = Fields { every: 1, extruded: true, points: false, stresses: true };
+pub const EVERYTHING: Fields =
+    Fields { every: 1, extruded: true, points: false, stresses: true, contact: false };
 
 pub fn scene(name: &str, replaced: &[(&str, &str)]) -> Checked {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name);

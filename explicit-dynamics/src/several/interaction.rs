@@ -1,5 +1,7 @@
 //! What a system offers to others that act on it, and what acts between systems.
 
+use std::any::Any;
+
 use crate::dynamics::Dynamics;
 use crate::error::OutOfBounds;
 use crate::linearised::MassScaled;
@@ -43,8 +45,8 @@ pub trait Joinable: Dynamics + MassScaled {
 
 /// What several systems do to each other: an energy of the places of some of their particles.
 ///
-/// Those are numbered through in the order of [`Interaction::particles`], system after system.
-pub trait Interaction: Send {
+/// Those are numbered through in the order of [`Interaction::particles`], system after system. Whoever made it may read it again by its type.
+pub trait Interaction: Any + Send {
     /// Particles on which it acts, a list for each system; it never changes.
     fn particles(&self) -> Vec<Vec<u32>>;
 

@@ -52,6 +52,11 @@ impl<S: ?Sized> Several<S> {
         self.acting.iter().map(|acting| acting.interaction().kept()).collect()
     }
 
+    /// An interaction, in the order in which they were given.
+    pub fn interaction(&self, number: usize) -> Option<&dyn Interaction> {
+        self.acting.get(number).map(Acting::interaction)
+    }
+
     /// What an interaction last exerted on a particle of a system \[F\].
     pub fn force_on(&self, interaction: usize, system: usize, particle: u32) -> [f64; 3] {
         self.acting.get(interaction).map_or([0.0; 3], |acting| acting.force_on(system, particle))

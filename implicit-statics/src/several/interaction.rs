@@ -1,5 +1,7 @@
 //! What a system offers to others that act on it, and what acts between systems.
 
+use std::any::Any;
+
 use crate::equilibrium::Equilibrium;
 
 /// A system of particles on which others act.
@@ -22,8 +24,8 @@ pub trait Joinable: Equilibrium {
 
 /// What several systems do to each other: an energy of the places of some of their particles.
 ///
-/// Those are numbered through in the order of [`Interaction::particles`], system after system.
-pub trait Interaction: Send {
+/// Those are numbered through in the order of [`Interaction::particles`], system after system. Whoever made it may read it again by its type.
+pub trait Interaction: Any + Send {
     /// Particles on which it acts, a list for each system; it never changes.
     fn particles(&self) -> Vec<Vec<u32>>;
 

@@ -1,6 +1,6 @@
 //! A shell that may touch itself: forces, tangent, and how they shorten a step in time.
 
-use contact::{Deepest, Law, Moving, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
+use contact::{Deepest, Felt, Law, Moving, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
 use sph_core::Vec3;
 
 use crate::conditions::loads::{Block, place_block};
@@ -132,6 +132,18 @@ impl SelfContact {
     /// The two parts that are deepest in each other, for the forces last evaluated.
     pub fn deepest(&self, state: &[Row]) -> Option<Deepest> {
         self.contact.deepest(place(state))
+    }
+
+    /// What each particle feels of it, for the forces last evaluated.
+    pub fn felt(&self, felt: &mut [Felt]) {
+        let mut own = vec![Felt::default(); felt.len()];
+        self.contact.felt(0, &mut own);
+        felt.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
+    }
+
+    /// Gaps at some particles in a state ([`SurfaceContact::gaps`]).
+    pub fn gaps(&self, particles: &[u32], state: &[Row]) -> Vec<f64> {
+        self.contact.gaps(0, particles, place(state))
     }
 
     /// Force of contact on a particle, for the forces last evaluated.

@@ -1,6 +1,6 @@
 //! Rigid tools that a shell may touch: they push by a potential, in every analysis, and move as level and time say.
 
-use contact::{Friction, Law, Pose, Surface, ToolContact, ToolShape, Touch, Watch};
+use contact::{Felt, Friction, Law, Pose, Surface, ToolContact, ToolShape, Touch, Watch};
 use explicit_dynamics::{Amplitude, Instant};
 use sph_core::Vec3;
 
@@ -47,7 +47,7 @@ struct Touched {
     motion: Pose,
     amplitude: Amplitude,
     /// Where it stood when forces were last evaluated.
-    stood: Vec3,
+    stood: Pose,
 }
 
 /// All tools of a shell.
@@ -88,7 +88,7 @@ impl Tools {
             let rubs = rubs.ok_or(ShellError::ToolFriction(friction))?;
             let friction = if friction > 0.0 { Some(rubs) } else { None };
             let motion = Pose { moved, angle: turn };
-            Ok(Touched { contact, watch, friction, motion, amplitude, stood: Vec3::zeros() })
+            Ok(Touched { contact, watch, friction, motion, amplitude, stood: Pose::default() })
         };
         let tools = tools.into_iter().map(touched).collect::<Result<Vec<_>, ShellError>>()?;
         let rough = tools.iter().any(|tool| tool.friction.is_some());
@@ -128,10 +128,10 @@ impl Tools {
         for tool in tools.iter_mut() {
             let pose = tool.pose(at, under_way, origin);
             match gone {
-                Some(gone) => tool.watch.count(gone + (pose.moved - tool.stood).norm()),
+                Some(gone) => tool.watch.count(gone + (pose.moved - tool.stood.moved).norm()),
                 None => tool.watch.forget(),
             }
-            tool.stood = pose.moved;
+            tool.stood = pose;
             let push = |a, force: Vec3| push(forces, a, &force);
             let Touched { contact, watch, friction, .. } = tool;
             let touch = contact.forces(watch, friction.as_mut(), &pose, place(state), push);
@@ -169,8 +169,24 @@ impl Tools {
     /// Gap between the faces of the shell and of the nearest tool at a particle, where tools stood as forces were last evaluated \[L\].
     pub fn gap_at(&self, particle: usize, state: &[Row]) -> f64 {
         let (a, at) = (particle as u32, place(state)(particle as u32));
-        let gap = |tool: &Touched| tool.contact.gap_at(a, &tool.stood, &at);
+        let gap = |tool: &Touched| tool.contact.gap_at(a, &tool.stood.moved, &at);
         self.tools.iter().filter_map(gap).fold(f64::INFINITY, f64::min)
+    }
+
+    /// What each particle feels of all tools, where they stood as forces were last evaluated.
+    pub fn felt(&self, state: &[Row], felt: &mut [Felt]) {
+        let mut own = vec![Felt::default(); felt.len()];
+        for Touched { contact, friction, stood, .. } in &self.tools {
+            own.fill(Felt::default());
+            contact.felt(friction.as_ref(), stood, place(state), &mut own);
+            felt.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
+        }
+    }
+
+    /// The place that is deepest in a tool, likewise, from the origin \[L\]; none without such a tool.
+    pub fn deepest(&self, tool: usize, state: &[Row]) -> Option<Vec3> {
+        let Touched { contact, stood, .. } = self.tools.get(tool)?;
+        contact.deepest(stood, place(state)).map(|(_, place)| place)
     }
 
     /// Stiffness of each tool.

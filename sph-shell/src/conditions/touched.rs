@@ -12,13 +12,18 @@ const ALIKE: f64 = 1e-9;
 /// Stiffness κ of a unit of area against a rigid tool \[F/L³\] of a shell with these sections, by the thinnest of them and the mean size of
 /// its cells ([`contact::stiffness`]).
 pub fn contact_stiffness(sections: impl Iterator<Item = SectionScales>, cloud: &Cloud) -> f64 {
-    let cells = cloud.cells.len().max(1) as f64;
-    let area: f64 = cloud.cells.iter().map(|cell| cell.geometry(&cloud.positions).area).sum();
-    let spacing = (area / cells).sqrt();
+    let spacing = contact_spacing(cloud);
     let of = |scales: SectionScales| {
         contact::stiffness(scales.membrane / scales.thickness, scales.thickness, spacing)
     };
     sections.map(of).fold(f64::INFINITY, f64::min)
+}
+
+/// Mean size of the cells, on which that stiffness depends \[L\].
+pub(crate) fn contact_spacing(cloud: &Cloud) -> f64 {
+    let cells = cloud.cells.len().max(1) as f64;
+    let area: f64 = cloud.cells.iter().map(|cell| cell.geometry(&cloud.positions).area).sum();
+    (area / cells).sqrt()
 }
 
 /// The surface of a shell with half of its thickness at each particle, and the thickness.

@@ -1,6 +1,7 @@
 //! A fluid, its walls and the structures in it as one body that is marched.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
 use explicit_dynamics::{
     Bounds, Dynamics, Instant, MarchError, OutOfBounds, StableStep, Step, TwoClocks, Wetted, Work,
@@ -15,7 +16,7 @@ use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatc
 use crate::bodies::fluid::escaped::{Sides, lost};
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::{fields, figures};
-use crate::bodies::{FieldRequest, FieldSource};
+use crate::bodies::{FieldRequest, FieldSource, Outline};
 use crate::scene::Measured;
 
 /// A structure that a fluid wets, as the application asks of it.
@@ -133,6 +134,15 @@ impl Body for Coupled {
             }
             None => self.fields(shown),
         }
+    }
+
+    fn outlines(&self) -> Vec<Outline> {
+        let names = self.layout.names.iter().skip(1).zip(&self.layout.structures);
+        let named = |(structure, (name, range)): (&dyn Structure, (&String, &Range<usize>))| {
+            let own = structure.outlines().into_iter();
+            own.map(|own| own.named(name, range.start)).collect::<Vec<_>>()
+        };
+        self.clocks.structures().zip(names).flat_map(named).collect()
     }
 
     fn diagnostics(&self) -> Diagnostics {

@@ -9,7 +9,7 @@ use super::fields::fields;
 use super::solid::GalerkinSolid;
 use super::warnings::large_strain;
 use crate::bodies::body::{Body, Configuration, Mismatch, StateArray, StaticBody};
-use crate::bodies::{FieldRequest, FieldSource};
+use crate::bodies::{FieldRequest, FieldSource, Outline};
 use crate::scene::Measured;
 use crate::warning::Warning;
 
@@ -32,6 +32,11 @@ impl Body for GalerkinSolid {
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self, shown)
+    }
+
+    /// Its outer faces, on which nodes lie.
+    fn outlines(&self) -> Vec<Outline> {
+        vec![Outline::of_cells(self.galerkin.rest().len(), self.outer.clone(), 0.0, false)]
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {

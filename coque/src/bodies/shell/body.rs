@@ -2,18 +2,20 @@
 
 use std::ops::DerefMut;
 
+use contact::Felt;
 use explicit_dynamics::{Dynamics, Exert};
 use sph_core::Vec3;
 use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
 
 use super::balance::unbalanced;
+use super::contacts::contacts;
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
 use super::warnings::{among_preloaded_modes, between_lines};
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray, StaticBody};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{FieldRequest, FieldSource, Resultant};
+use crate::bodies::{ContactNow, FeltFields, FieldRequest, FieldSource, Outline, Resultant};
 use crate::scene::Measured;
 
 /// What a checkpoint calls the lists of a shell that touches itself.
@@ -32,7 +34,6 @@ impl Body for Shell {
             Measured::Position => self.position(a).dot(along),
             Measured::Reaction => self.reaction(a).dot(along),
             Measured::ContactMoment => self.position(a).cross(&self.tool_force(a)).dot(along),
-            Measured::ContactGap => self.tool_gap(a),
             Measured::FrictionLoss => self.friction_loss(a),
             Measured::ContactForce => self.contact_force(a).dot(along),
             Measured::Director | Measured::Rotation => self.director(a).dot(along),
@@ -52,7 +53,30 @@ impl Body for Shell {
     }
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
-        fields(self, shown)
+        let felt = if shown.contact { FeltFields::of(self, 0) } else { FeltFields::default() };
+        fields(self, shown, felt)
+    }
+
+    fn fields_felt<'a>(&'a self, shown: &FieldRequest<'a>, felt: FeltFields) -> Box<dyn FieldSource + 'a> {
+        fields(self, shown, felt)
+    }
+
+    fn felt(&self, _body: usize) -> Vec<Felt> {
+        if self.may_touch() { Shell::felt(self) } else { vec![Felt::default(); self.len()] }
+    }
+
+    fn gaps(&self, _body: usize, particles: &[u32]) -> Vec<f64> {
+        self.contact_gaps(particles)
+    }
+
+    fn contacts(&self) -> Vec<ContactNow> {
+        contacts(self)
+    }
+
+    fn outlines(&self) -> Vec<Outline> {
+        let cells = self.reference().cloud.cells.clone();
+        let own = self.least_half_thickness().map(|half| Outline::of_cells(self.len(), cells, half, true));
+        own.into_iter().collect()
     }
 
     fn diagnostics(&self) -> Diagnostics {
@@ -125,7 +149,27 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
     }
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
-        fields(self.shell(), shown)
+        self.shell().fields(shown)
+    }
+
+    fn fields_felt<'a>(&'a self, shown: &FieldRequest<'a>, felt: FeltFields) -> Box<dyn FieldSource + 'a> {
+        fields(self.shell(), shown, felt)
+    }
+
+    fn felt(&self, body: usize) -> Vec<Felt> {
+        Body::felt(self.shell(), body)
+    }
+
+    fn gaps(&self, body: usize, particles: &[u32]) -> Vec<f64> {
+        self.shell().gaps(body, particles)
+    }
+
+    fn contacts(&self) -> Vec<ContactNow> {
+        self.shell().contacts()
+    }
+
+    fn outlines(&self) -> Vec<Outline> {
+        self.shell().outlines()
     }
 
     fn diagnostics(&self) -> Diagnostics {

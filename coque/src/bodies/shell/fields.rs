@@ -4,6 +4,7 @@
 
 use std::io;
 
+use contact::Grip;
 use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use sph_core::{Cell, Vec3};
 use sph_shell::{Formulation, PointResult, Shell};
@@ -11,7 +12,7 @@ use sph_shell::{Formulation, PointResult, Shell};
 use super::indicator::indicator;
 use super::linear_forces::LinearForces;
 use crate::bodies::sampled::{face_stress, von_mises};
-use crate::bodies::{FieldRequest, FieldSource, Part, State};
+use crate::bodies::{FeltFields, FieldRequest, FieldSource, Part, State};
 use crate::scene::ShellFace;
 use crate::scene::units::Quantity;
 
@@ -21,7 +22,11 @@ const DOUBLED: &[&str] = &["11", "22", "2x12"];
 const ACROSS: &[&str] = &["1", "2"];
 
 /// What the fields of a shell show of its present state.
-pub(crate) fn fields<'a>(shell: &'a Shell, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
+pub(crate) fn fields<'a>(
+    shell: &'a Shell,
+    shown: &FieldRequest<'a>,
+    felt: FeltFields,
+) -> Box<dyn FieldSource + 'a> {
     let linear = shown.forces.and_then(|row| LinearForces::of(shell).with_numbers(row));
     // Where nothing is in balance and nothing moves there are no forces to show: neither stresses nor reactions.
     let forces = match shown.state {
@@ -38,7 +43,7 @@ pub(crate) fn fields<'a>(shell: &'a Shell, shown: &FieldRequest<'a>) -> Box<dyn 
             results
         })
     });
-    Box::new(Content { shell, shown: *shown, forces, results, reactions })
+    Box::new(Content { shell, shown: *shown, forces, results, reactions, felt })
 }
 
 /// What is written of one frame.
@@ -51,6 +56,8 @@ struct Content<'a> {
     results: Option<Vec<PointResult>>,
     /// Reactions of a linear answer \[F\].
     reactions: Option<Vec<Vec3>>,
+    /// What each particle feels of contact; nothing where that is not asked for.
+    felt: FeltFields,
 }
 
 impl FieldSource for Content<'_> {
@@ -174,7 +181,29 @@ impl Content<'_> {
         }
         let sections = self.of_particles();
         let thickness = rows(shell.len(), |a| [sections[a][0]]);
-        self.put(to, At::Points, "thickness", Quantity::Length, &[], Values::Double(&thickness))
+        self.put(to, At::Points, "thickness", Quantity::Length, &[], Values::Double(&thickness))?;
+        self.contact(to)
+    }
+
+    /// What each particle feels of contact: normal force and friction over its area, its gap, and whether it sticks.
+    fn contact(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        let FeltFields { felt, gaps } = &self.felt;
+        let touches = gaps.iter().any(|gap| gap.is_finite());
+        if felt.len() != self.shell.len() || !touches || !self.forces {
+            return Ok(());
+        }
+        let pressure = rows(felt.len(), |a| [felt[a].pressure() as f32]);
+        self.put(to, At::Points, "contact_pressure", Quantity::Stress, &[], Values::Single(&pressure))?;
+        let shear = rows(felt.len(), |a| xyz(felt[a].shear()).map(|value| value as f32));
+        self.put(to, At::Points, "contact_shear", Quantity::Stress, XYZ, Values::Single(&shear))?;
+        let gap = rows(felt.len(), |a| [gaps[a] as f32]);
+        self.put(to, At::Points, "contact_gap", Quantity::Length, &[], Values::Single(&gap))?;
+        let grip = rows(felt.len(), |a| match felt[a].grip {
+            Grip::Apart => [0.0],
+            Grip::Sticks => [1.0],
+            Grip::Slips => [2.0],
+        });
+        self.put(to, At::Points, "contact_grip", Quantity::Ratio, &[], Values::Single(&grip))
     }
 
     fn put(

@@ -7,6 +7,7 @@ mod body;
 pub(crate) mod build;
 mod cells;
 mod columns;
+mod contacts;
 mod describe;
 mod edges;
 mod fields;

@@ -9,7 +9,7 @@ use sph_core::Vec3;
 
 use super::fields::fields;
 use crate::bodies::body::{Body, Configuration, DynamicBody, Mismatch, StateArray, StaticBody};
-use crate::bodies::{FieldRequest, FieldSource};
+use crate::bodies::{FieldRequest, FieldSource, Outline};
 use crate::scene::Measured;
 
 impl Body for Solid {
@@ -37,6 +37,11 @@ impl Body for Solid {
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self, shown)
+    }
+
+    fn outlines(&self) -> Vec<Outline> {
+        let least = self.block().spacing.into_iter().filter(|own| *own > 0.0).fold(f64::INFINITY, f64::min);
+        vec![Outline::of_particles(self.len(), 0.5 * least)]
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
@@ -86,6 +91,10 @@ impl<S: DerefMut<Target = Solid> + Send> Body for StaticSolid<S> {
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self.solid(), shown)
+    }
+
+    fn outlines(&self) -> Vec<Outline> {
+        self.solid().outlines()
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {

@@ -1,15 +1,18 @@
 //! Several bodies as one: what is read, shown and kept of them.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
+use contact::Felt;
 use sph_core::Vec3;
 
+use super::contact::TouchingBodies;
 use super::layout::Layout;
 use super::parts::Parts;
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, Mismatch, StateArray};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{FieldRequest, FieldSource};
+use crate::bodies::{ContactNow, FeltFields, FieldRequest, FieldSource, Outline};
 use crate::scene::Measured;
 
 /// Bodies that are solved together, with their places one behind the other.
@@ -28,11 +31,19 @@ impl<S: Parts> Body for Together<S> {
     fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64 {
         let (body, own) = self.layout.place(particle);
         let of_body = self.system.each().get(body).map_or(0.0, |part| part.read(of, own, along));
-        if of != Measured::ContactForce {
+        if !matches!(of, Measured::ContactForce | Measured::ContactMoment) {
             return of_body;
         }
-        let between = self.layout.contacts.clone();
-        between.map(|contact| self.system.force_on(contact, body, own).dot(along)).sum::<f64>() + of_body
+        let force: Vec3 =
+            self.layout.contacts.clone().map(|contact| self.system.force_on(contact, body, own)).sum();
+        let place = |part: &dyn Body| {
+            let axes = [Vec3::x(), Vec3::y(), Vec3::z()];
+            Vec3::from(axes.map(|axis| part.read(Measured::Position, own, &axis)))
+        };
+        match self.system.each().get(body) {
+            Some(part) if of == Measured::ContactMoment => place(*part).cross(&force).dot(along) + of_body,
+            _ => force.dot(along) + of_body,
+        }
     }
 
     fn counts_turns(&self, particle: usize) -> bool {
@@ -61,7 +72,47 @@ impl<S: Parts> Body for Together<S> {
     fn fields_of<'a>(&'a self, body: usize, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         let range = self.layout.forces.get(body).cloned();
         let forces = shown.forces.zip(range).map(|(forces, range)| &forces[range]);
-        self.system.each()[body].fields(&FieldRequest { forces, ..*shown })
+        let (part, shown) = (self.system.each()[body], FieldRequest { forces, ..*shown });
+        if shown.contact { part.fields_felt(&shown, FeltFields::of(self, body)) } else { part.fields(&shown) }
+    }
+
+    fn place(&self, particle: usize) -> (usize, usize) {
+        self.layout.place(particle)
+    }
+
+    fn felt(&self, body: usize) -> Vec<Felt> {
+        let mut felt = self.system.each().get(body).map_or_else(Vec::new, |part| part.felt(0));
+        self.touching().for_each(|contact| contact.felt(body, &mut felt));
+        felt
+    }
+
+    fn gaps(&self, body: usize, particles: &[u32]) -> Vec<f64> {
+        let parts = self.system.each();
+        let mut gaps = parts.get(body).map_or_else(Vec::new, |part| part.gaps(0, particles));
+        let places = |number: usize| parts[number].configuration().present;
+        for own in self.touching().filter_map(|contact| contact.gaps(body, particles, places)) {
+            gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap = gap.min(own));
+        }
+        gaps
+    }
+
+    fn contacts(&self) -> Vec<ContactNow> {
+        let parts = self.system.each();
+        let own = |(body, part): (usize, &&dyn Body)| {
+            part.contacts().into_iter().map(move |own| ContactNow { body, ..own })
+        };
+        let places = |number: usize| parts[number].configuration().present;
+        let between = self.touching().map(|contact| contact.now(places));
+        parts.iter().enumerate().flat_map(own).chain(between).collect()
+    }
+
+    fn outlines(&self) -> Vec<Outline> {
+        let parts = self.system.each().into_iter().zip(self.layout.names.iter().zip(&self.layout.particles));
+        let named = |(part, (name, range)): (&dyn Body, (&String, &Range<usize>))| {
+            let own = part.outlines().into_iter();
+            own.map(|own| own.named(name, range.start)).collect::<Vec<_>>()
+        };
+        parts.flat_map(named).collect()
     }
 
     fn diagnostics(&self) -> Diagnostics {
@@ -101,6 +152,11 @@ impl<S: Parts> Body for Together<S> {
 }
 
 impl<S: Parts> Together<S> {
+    /// The contacts between the bodies.
+    fn touching(&self) -> impl Iterator<Item = &TouchingBodies> {
+        self.layout.contacts.clone().filter_map(|number| self.system.touching(number))
+    }
+
     fn take_up(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
         let of = |name: &str| -> Vec<StateArray<'_>> {
             let start = format!("{name}: ");

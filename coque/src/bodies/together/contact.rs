@@ -47,13 +47,13 @@ pub(super) struct Manner {
 pub(super) struct TouchingBodies {
     names: [String; 2],
     /// Particles of each body, those of others empty.
-    particles: Vec<Vec<u32>>,
+    pub(super) particles: Vec<Vec<u32>>,
     /// How places carry both surfaces.
-    skin: Skin,
+    pub(super) skin: Skin,
     /// Nodes of both surfaces at rest \[L\].
     rest: [Vec<Vec3>; 2],
-    contact: SurfaceContact,
-    touch: SurfaceTouch,
+    pub(super) contact: SurfaceContact,
+    pub(super) touch: SurfaceTouch,
     pace: Option<Pace>,
     /// Whether the contact was looked at where it is evaluated next.
     looked: bool,

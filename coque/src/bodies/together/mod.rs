@@ -9,6 +9,7 @@ mod balance;
 mod body;
 pub(super) mod build;
 mod contact;
+mod felt;
 mod joints;
 mod layout;
 mod march;

@@ -1,7 +1,10 @@
 //! What is asked of a body beside others, and of all of them whatever they are solved by.
 
+use std::any::Any;
+
 use sph_core::Vec3;
 
+use super::contact::TouchingBodies;
 use crate::bodies::body::{Body, DynamicBody, StaticBody};
 
 /// A body that is marched beside others.
@@ -30,6 +33,9 @@ pub(super) trait Parts: Send {
     /// What an interaction last exerted on a particle of a body \[F\].
     fn force_on(&self, interaction: usize, body: usize, particle: usize) -> Vec3;
 
+    /// An interaction, if it is a contact.
+    fn touching(&self, interaction: usize) -> Option<&TouchingBodies>;
+
     /// What each interaction keeps with a state.
     fn kept(&self) -> Vec<Vec<f64>>;
 
@@ -48,6 +54,10 @@ impl Parts for Marched {
 
     fn force_on(&self, interaction: usize, body: usize, particle: usize) -> Vec3 {
         Marched::force_on(self, interaction, body, particle as u32).into()
+    }
+
+    fn touching(&self, interaction: usize) -> Option<&TouchingBodies> {
+        (Marched::interaction(self, interaction)? as &dyn Any).downcast_ref()
     }
 
     fn kept(&self) -> Vec<Vec<f64>> {
@@ -70,6 +80,10 @@ impl Parts for Balanced {
 
     fn force_on(&self, interaction: usize, body: usize, particle: usize) -> Vec3 {
         Balanced::force_on(self, interaction, body, particle as u32).into()
+    }
+
+    fn touching(&self, interaction: usize) -> Option<&TouchingBodies> {
+        (Balanced::interaction(self, interaction)? as &dyn Any).downcast_ref()
     }
 
     fn kept(&self) -> Vec<Vec<f64>> {

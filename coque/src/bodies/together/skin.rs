@@ -71,6 +71,12 @@ impl Skin {
         }
     }
 
+    /// The nodes of a side.
+    pub fn nodes(&self, side: usize) -> impl Iterator<Item = Node> + '_ {
+        let numbers = (0..).zip(&self.numbers[side]);
+        numbers.filter(|(_, number)| **number != u32::MAX).map(move |(node, _)| (side, node))
+    }
+
     /// Mass that moves with a node at least, where places have these masses \[M\].
     pub fn mass(&self, masses: &[f64], node: Node) -> f64 {
         match &self.carried {

@@ -79,6 +79,8 @@ pub(crate) struct Contents<'a> {
     pub(crate) impulses: Cow<'a, Impulses>,
     /// What the supports exerted at the last record.
     pub(crate) supports: Option<Resultant>,
+    /// Steps done when contact was last looked for.
+    pub(crate) looked: u64,
     pub(crate) record: Cow<'a, RunRecord>,
     pub(crate) latest: Option<Cow<'a, Shape>>,
     /// Frames of fields that were offered.

@@ -143,9 +143,9 @@ fn check_unit(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
 fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
         BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director, Displacement,
-        Energy, Flux, Force, FractureEnergy, FrictionLoss, Level, MembraneForce, Moment, Pieces, Position,
-        Pressure, Reaction, ReactionMoment, Rotation, ShearForce, StrainEnergy, Stress, Velocity, VonMises,
-        WetLength,
+        Energy, Flux, Force, FractureEnergy, FrictionLoss, GreatestDepth, Level, MembraneForce, Moment,
+        Pieces, Position, Pressure, Reaction, ReactionMoment, Rotation, ShearForce, StrainEnergy, Stress,
+        TouchingArea, Velocity, VonMises, WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
@@ -156,7 +156,9 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
         }
         BodyScene::Rigid(_) => {
             let mut known = vec![Displacement, Position, Velocity, Rotation, Reaction, ReactionMoment];
-            known.extend(scene.may_touch().then_some(ContactForce));
+            if scene.may_touch() {
+                known.extend([ContactForce, ContactMoment]);
+            }
             return known;
         }
         BodyScene::Shell(_) | BodyScene::Solid(_) => {}
@@ -171,10 +173,7 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
         known.extend([Rotation, Director]);
     }
     if scene.may_touch() {
-        known.push(ContactForce);
-    }
-    if scene.as_shell().is_some_and(|shell| !shell.tools.is_empty()) {
-        known.extend([ContactMoment, ContactGap]);
+        known.extend([ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea]);
     }
     if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_rough)) {
         known.push(FrictionLoss);
@@ -206,6 +205,11 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
     }
     if scene.output.fields.is_some_and(|fields| fields.every == 0) {
         return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
+    }
+    if scene.output.fields.is_some_and(|fields| fields.contact) && !scene.any_may_touch() {
+        let bound = "none where nothing may touch: no tool, no [[contact]]";
+        let fault = s.fault("output.fields.contact", "fields of contact", bound, "remove it");
+        return Err(SceneError::Choice(fault));
     }
     if scene.output.fields.is_some_and(|fields| fields.points)
         && scene.as_solid().is_none_or(|solid| solid.galerkin().is_none())

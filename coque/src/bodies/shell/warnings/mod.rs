@@ -6,6 +6,7 @@
 //! that does not stir what is doubtful), scenes that do not may be off for reasons that no rule knows.
 
 mod coarse;
+mod contact;
 mod folded;
 mod look;
 mod meaningless;
@@ -35,7 +36,7 @@ struct Rule {
 }
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 21] = [
+const RULES: [Rule; 22] = [
     Rule { kind: WarningKind::NoWork, of: meaningless::no_work },
     Rule { kind: WarningKind::HeldLoad, of: meaningless::held_load },
     Rule { kind: WarningKind::FarNearest, of: meaningless::far_nearest },
@@ -57,6 +58,7 @@ const RULES: [Rule; 21] = [
     Rule { kind: WarningKind::FewParticles, of: coarse::few },
     Rule { kind: WarningKind::SharpCorners, of: coarse::corners },
     Rule { kind: WarningKind::Pole, of: coarse::pole },
+    Rule { kind: WarningKind::CoarseContact, of: contact::coarse },
 ];
 
 /// What is doubtful about a shell that no scene describes; see [`crate::Model::warnings`] for the others.

@@ -1,0 +1,54 @@
+//! The contacts of a scene: what they are called, and what it leaves without one.
+
+use super::body::Body;
+use super::contact_now::{ContactNow, With};
+use super::unseen::Unseen;
+use crate::scene::{BodyScene, Scene};
+
+/// Contacts by name, and what nothing keeps apart.
+#[derive(Debug, Default)]
+pub(crate) struct ContactsOfScene {
+    /// Each body with the names of its tools.
+    bodies: Vec<(String, Vec<String>)>,
+    unseen: Option<Unseen>,
+}
+
+impl ContactsOfScene {
+    /// Those of a scene and of the body that it makes.
+    pub fn of(scene: &Scene, body: &dyn Body) -> Self {
+        let own = |(name, body): (&String, &BodyScene)| {
+            let tools = match body {
+                BodyScene::Shell(shell) => shell.tools.iter().map(|tool| tool.name.clone()).collect(),
+                _ => Vec::new(),
+            };
+            (name.clone(), tools)
+        };
+        Self { bodies: scene.bodies.iter().map(own).collect(), unseen: Unseen::of(scene, body) }
+    }
+
+    /// The same without a look at what nothing keeps apart.
+    pub fn named_only(self) -> Self {
+        Self { unseen: None, ..self }
+    }
+
+    /// What has come too near to what, at a moment in words; none where nothing has.
+    pub fn unseen(&self, body: &dyn Body, when: &str) -> Option<String> {
+        self.unseen.as_ref()?.look(body, when)
+    }
+
+    /// What a contact is called.
+    pub fn name(&self, contact: &ContactNow) -> String {
+        let body = |number: usize| self.bodies.get(number).map_or("", |(name, _)| name.as_str());
+        let own =
+            if self.bodies.len() > 1 { format!("`{}`", body(contact.body)) } else { "the shell".into() };
+        match contact.with {
+            With::Itself => format!("{own} with itself"),
+            With::Body(other) => format!("{own} with `{}`", body(other)),
+            With::Tool(number) => {
+                let tools = self.bodies.get(contact.body).map(|(_, tools)| tools);
+                let tool = tools.and_then(|tools| tools.get(number)).map_or("", String::as_str);
+                format!("{own} with the tool `{tool}`")
+            }
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! Bodies that nothing keeps apart: whether they have come nearer to each other than their faces allow.
+
+use contact::{Bystander, TooNear};
+
+use super::body::{Body, Configuration};
+use super::outline::Outline;
+use crate::scene::Scene;
+use crate::scene::joints::joints;
+
+/// Pairs of bodies of a scene between which it names no contact, and shells that do not touch themselves.
+#[derive(Debug)]
+pub(crate) struct Unseen {
+    outlines: Vec<Outline>,
+    pairs: Vec<Pair>,
+    in_fluid: bool,
+}
+
+/// Two of the bodies, or one with itself.
+#[derive(Debug)]
+struct Pair {
+    of: [usize; 2],
+    /// Whether springs join them.
+    joined: bool,
+}
+
+impl Unseen {
+    /// What nothing keeps apart among the bodies of a scene; none where all of it touches.
+    pub fn of(scene: &Scene, body: &dyn Body) -> Option<Self> {
+        let outlines = body.outlines();
+        let joints = joints(scene).unwrap_or_default();
+        let name = |number: usize| outlines[number].name.as_deref();
+        let touch = |i: usize, j: usize| {
+            scene.contact.iter().any(|own| match &own.between {
+                Some(between) => [i, j]
+                    .map(name)
+                    .iter()
+                    .all(|name| name.is_some_and(|name| between.iter().any(|other| other == name)) && i != j),
+                None => i == j,
+            })
+        };
+        let joined = |i: usize, j: usize| {
+            let of = [i, j].map(|number| name(number).unwrap_or_default());
+            joints.iter().any(|joint| joint.ends.iter().all(|(body, _)| of.contains(body)))
+        };
+        let mut pairs = Vec::new();
+        for i in 0..outlines.len() {
+            for j in i..outlines.len() {
+                if (i != j || outlines[i].sheet) && !touch(i, j) {
+                    pairs.push(Pair { of: [i, j], joined: joined(i, j) });
+                }
+            }
+        }
+        let in_fluid = scene.fluid().is_some();
+        (!pairs.is_empty()).then_some(Self { outlines, pairs, in_fluid })
+    }
+
+    /// What has come too near to what, at a moment in words; none where nothing has.
+    pub fn look(&self, body: &dyn Body, when: &str) -> Option<String> {
+        let Configuration { rest, present, .. } = body.configuration();
+        let shown = |number: usize| {
+            let Outline { particles, cells, half, .. } = &self.outlines[number];
+            Bystander { cells, rest: &rest[particles.clone()], now: &present[particles.clone()], half: *half }
+        };
+        self.pairs.iter().find_map(|pair| {
+            let [i, j] = pair.of;
+            let found = match i == j {
+                true => shown(i).in_itself(),
+                false => shown(i).in_each_other(&shown(j), pair.joined),
+            };
+            Some(self.said(pair, &found?, when))
+        })
+    }
+
+    fn said(&self, pair: &Pair, found: &TooNear, when: &str) -> String {
+        let TooNear { places, distance, touching } = *found;
+        let [here, there] = places.map(|x| format!("[{:.4}, {:.4}, {:.4}]", x.x, x.y, x.z));
+        let how = if distance > 0.0 {
+            format!("{here} and {there} are {distance:.4e} apart, where faces touch at {touching:.4e}")
+        } else {
+            format!("one goes through the other at {here}")
+        };
+        let name = |number: usize| self.outlines[number].name.as_deref();
+        let repair = "or end the run before";
+        match pair.of.map(name) {
+            [Some(a), Some(b)] if a != b => {
+                let add = match self.in_fluid {
+                    true => "bodies in a fluid do not feel each other: hold them apart, ".to_string(),
+                    false => {
+                        format!("nothing keeps them apart: add [[contact]] between = [\"{a}\", \"{b}\"], ")
+                    }
+                };
+                format!("`{a}` and `{b}` are in each other {when}: {how}; {add}{repair}")
+            }
+            [name, _] => {
+                let who = name.map_or_else(|| "the shell".into(), |name| format!("`{name}`"));
+                let add = match name {
+                    None => "add [[contact]], ",
+                    Some(_) => "shells touch themselves where they are alone in their scene: hold it apart, ",
+                };
+                format!("{who} is in itself {when}: {how}; nothing keeps its parts apart: {add}{repair}")
+            }
+        }
+    }
+}
