@@ -72,7 +72,7 @@ fn a_block_that_tumbles_keeps_energy_and_momentum() {
     let columns = "[{ name = \"x\", of = \"displacement\", on = \"all\", direction = [1, 0, 0] }, \
                     { name = \"y\", of = \"displacement\", on = \"all\", direction = [0, 1, 0] }, \
                     { name = \"turn\", of = \"rotation\", on = \"all\", direction = [0, 1, 0] }]";
-    let found = run("spinning-block.toml", &[("curve", columns)]);
+    let found = run("spinning-block.toml", &[("curve", columns), ("output", "{}")]);
     let energy = column(&found, "kinetic");
     for kinetic in &energy {
         assert!((kinetic / energy[0] - 1.0).abs() < 3e-5, "{kinetic} {}", energy[0]);
@@ -127,8 +127,8 @@ fn a_spring_between_a_block_and_a_shell_keeps_momentum_and_energy() {
     );
 }
 
-/// The closed form `F = Z v₀ exp(−Z t/M)` with the point impedance of a plate: forces as means over six records, by the momentum that they took, from
-/// 1.8 ms, when waves are as long as cells allow, to 21 ms, when those from the edges are back: over a factor of 40. They differ by 5 % at most.
+/// The closed form `F = Z v₀ exp(−Z t/M)` with the point impedance of a plate: forces as means over ten records, by the momentum that they took, from
+/// 1.9 ms, when waves are as long as cells allow, to 22.5 ms, when those from the edges are back: over a factor of 50. They differ by 4 % at most.
 #[test]
 fn a_mass_on_a_wide_plate_feels_its_point_impedance() {
     let found = run(BALL, &[]);
@@ -137,11 +137,11 @@ fn a_mass_on_a_wide_plate_feels_its_point_impedance() {
     // A quarter of plate and mass.
     let rate = 2.0 * f64::sqrt(bending * area) / 0.5;
     let course = |t: f64| 0.02 * libm::exp(-rate * t);
-    let windows = (0..t.len() - 6).filter(|&i| t[i] > 1.7e-3 && t[i + 6] < 2.1e-2);
-    let lost = |i: usize| (speed[i + 6] - speed[i]) / (course(t[i]) - course(t[i + 6]));
+    let windows = (0..t.len() - 10).filter(|&i| t[i] > 1.9e-3 && t[i + 10] < 2.25e-2);
+    let lost = |i: usize| (speed[i + 10] - speed[i]) / (course(t[i]) - course(t[i + 10]));
     let errors: Vec<f64> = windows.map(|i| (lost(i) - 1.0).abs()).collect();
     let worst = errors.iter().copied().fold(0.0, f64::max);
-    assert!(errors.len() > 80 && worst < 0.06, "{worst}");
+    assert!(errors.len() > 80 && worst < 0.05, "{worst}");
 }
 
 /// A ball against a free plate: what one loses of momentum the other gets, and the balance of energies closes. The plate is a shell of 3.14 kg.
@@ -151,6 +151,7 @@ fn a_ball_that_bounces_keeps_momentum_and_energy() {
         ("bodies.plate.shell.geometry.plate", "{ lengths = [0.4, 0.5], particles = [17, 21] }"),
         ("bodies.plate.shell.placed", "{ origin = [-0.2, -0.22, 0.0], u = [1, 0, 0], v = [0, 1, 0] }"),
         ("supports", "[]"),
+        ("output", "{}"),
         ("contact[0].stiffness", "1.0"),
         ("contact[0].rounding", "0.05"),
         (
@@ -207,6 +208,9 @@ fn a_block_pressed_on_a_strip_bears_what_the_strip_does() {
         [[supports]]
         on = \"block.all\"
         held = { displacement = [[1, 0, 0], [0, 1, 0]], director = [[0, 1, 0]] }
+        [[supports]]
+        on = \"block.all\"
+        held = { director = [[1, 0, 0]] }
         [[contact]]
         between = [\"strip\", \"block\"]
         [analysis.static]
