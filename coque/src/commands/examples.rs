@@ -35,12 +35,9 @@ impl Example {
     }
 }
 
-<<<<<<< HEAD
-const EXAMPLES: [Example; 59] = [
-=======
-const EXAMPLES: [Example; 55] = [
->>>>>>> h-solids
+const EXAMPLES: [Example; 61] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
+    Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-on-flat", 1.0, include_str!("../../../scenes/cantilever-on-flat.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
@@ -51,11 +48,7 @@ const EXAMPLES: [Example; 55] = [
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
     Example::new("dam-break", 3.0, include_str!("../../../scenes/dam-break.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
-<<<<<<< HEAD
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
-=======
-    Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
->>>>>>> h-solids
     Example::new("gate", 7.0, include_str!("../../../scenes/gate.toml")),
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
@@ -89,6 +82,7 @@ const EXAMPLES: [Example; 55] = [
     Example::new("ring-pressure", 0.1, include_str!("../../../scenes/ring-pressure.toml")),
     Example::new("scordelis-lo", 0.1, include_str!("../../../scenes/scordelis-lo.toml")),
     Example::new("shell-in-water", 24.0, include_str!("../../../scenes/shell-in-water.toml")),
+    Example::new("spinning-block", 0.1, include_str!("../../../scenes/spinning-block.toml")),
     Example::new("stepped-plate", 0.1, include_str!("../../../scenes/stepped-plate.toml")),
     Example::new(
         "stiffened-panel-abaqus",

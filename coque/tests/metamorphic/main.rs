@@ -13,6 +13,7 @@ mod half;
 mod meshes;
 mod order;
 mod preload;
+mod rigid;
 mod threads;
 mod touched;
 mod turned;

@@ -2,13 +2,14 @@
 
 use std::borrow::Cow;
 
+use contact::Felt;
 use explicit_dynamics::Dynamics;
 use rigid_body::{RestingBody, RigidBody};
 use sph_core::Vec3;
 
 use super::fields::fields;
 use crate::bodies::body::{Body, Configuration, DynamicBody, Mismatch, StateArray, StaticBody, extent};
-use crate::bodies::{FieldRequest, FieldSource};
+use crate::bodies::{FieldRequest, FieldSource, Outline};
 use crate::scene::Measured;
 
 impl Body for RigidBody {
@@ -42,6 +43,14 @@ impl Body for RigidBody {
         fields(self, shown)
     }
 
+    fn felt(&self, _: usize) -> Vec<Felt> {
+        vec![Felt::default(); self.len()]
+    }
+
+    fn outlines(&self) -> Vec<Outline> {
+        vec![Outline::of_cells(self.len(), self.cells().to_vec(), 0.0, false)]
+    }
+
     fn state(&self) -> Vec<StateArray<'_>> {
         let numbers = Cow::Owned(RigidBody::state(self));
         vec![StateArray { name: "place, turn and motion".into(), numbers }]
@@ -70,6 +79,14 @@ impl Body for RestingBody {
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self.body(), shown)
+    }
+
+    fn felt(&self, body: usize) -> Vec<Felt> {
+        self.body().felt(body)
+    }
+
+    fn outlines(&self) -> Vec<Outline> {
+        self.body().outlines()
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {

@@ -90,10 +90,12 @@ impl TouchingBodies {
             Skin::new([&nodes[0], &nodes[1]], [a.inside.as_deref(), b.inside.as_deref()]);
         let mut particles = vec![Vec::new(); bodies];
         (particles[a.body], particles[b.body]) = (of_a, of_b);
+        // Two bodies that give way are springs in series; beside a rigid one there is one.
+        let in_series = if a.stiffness.max(b.stiffness).is_finite() { 0.5 } else { 1.0 };
         let touching = Touching {
             distance: 0.5 * (a.thickness + b.thickness),
             law: manner.law,
-            stiffness: 0.5 * a.stiffness.min(b.stiffness) * manner.factor,
+            stiffness: in_series * a.stiffness.min(b.stiffness) * manner.factor,
             skin: SKIN * a.spacing.min(b.spacing),
             edges: manner.edges,
         };

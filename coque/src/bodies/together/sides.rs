@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use contact::{Mesh, stiffness};
 use peridynamics::Solid;
+use rigid_body::RigidBody;
 use sph_core::Vec3;
 use sph_shell::Shell;
 
@@ -101,6 +102,21 @@ pub(super) fn of_galerkin(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Ga
         spacing,
         rest,
         inside: Some(inside),
+    })
+}
+
+/// The surface of a rigid body, of no thickness: it gives way nowhere, and the stiffness of contact is that of the other body alone.
+pub(super) fn of_rigid(scene: &BodyInScene<'_>, body: &RigidBody, spacing: f64) -> Option<Side> {
+    named(scene.scene, scene.name)?;
+    Some(Side {
+        name: scene.name.into(),
+        body: 0,
+        mesh: Mesh::new(body.cells(), body.rest(), |_| 0.0),
+        thickness: 0.0,
+        stiffness: f64::INFINITY,
+        spacing,
+        rest: body.rest().to_vec(),
+        inside: None,
     })
 }
 

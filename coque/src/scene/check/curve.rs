@@ -157,7 +157,9 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
         }
         BodyScene::Rigid(_) => {
             let mut known = vec![Displacement, Position, Velocity, Rotation, Reaction, ReactionMoment];
-            known.extend(scene.is_touched().then_some(ContactForce));
+            if scene.may_touch() {
+                known.extend([ContactForce, ContactMoment]);
+            }
             return known;
         }
         BodyScene::Shell(_) | BodyScene::Solid(_) => {}
