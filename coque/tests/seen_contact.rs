@@ -107,11 +107,9 @@ curve = [{ name = "depth", of = "greatest-depth", on = "all" },
 fn columns_fields_and_summary_say_how_deep_a_plate_lies_in_a_plane() {
     let scene = overridden(LYING, "lying.toml", &[]).unwrap();
     let model = scene.build(1).unwrap();
-    let mut simulation = Simulation::with_options(
-        model,
-        RunOptions { progress: &mut Silent, checkpoints: None, fields: None, from: None },
-    )
-    .unwrap();
+    let mut silent = Silent;
+    let options = RunOptions { progress: &mut silent, checkpoints: None, fields: None, from: None };
+    let mut simulation = Simulation::with_options(model, options).unwrap();
     while simulation.advance().unwrap() != Event::End {}
     let sheet = simulation.sheet(false).unwrap();
     let outcome = simulation.finish();
@@ -150,7 +148,8 @@ fn fields_tell_what_sticks_from_what_slips() {
                     { on = 'all', held = { displacement = [[0, 1, 0]] } }]";
         let replaced = [rough, ("loads", load.as_str()), ("supports", rope), ("analysis.static.levels", "4")];
         let model = overridden(LYING, "lying.toml", &replaced).unwrap().build(1).unwrap();
-        let options = RunOptions { progress: &mut Silent, checkpoints: None, fields: None, from: None };
+        let mut silent = Silent;
+        let options = RunOptions { progress: &mut silent, checkpoints: None, fields: None, from: None };
         let mut simulation = Simulation::with_options(model, options).unwrap();
         while simulation.advance().unwrap() != Event::End {}
         let sheet = simulation.sheet(false).unwrap();

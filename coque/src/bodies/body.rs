@@ -40,6 +40,11 @@ pub trait Body: Send {
     /// Works out what its fields show, for whoever writes them.
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a>;
 
+    /// Whether one of its bodies has tools, which are shown as [`crate::Part::Tools`].
+    fn has_tools(&self, _body: usize) -> bool {
+        false
+    }
+
     /// Names of the bodies that it is made of, each with fields of its own; none of a body that is one.
     fn bodies(&self) -> Vec<&str> {
         Vec::new()

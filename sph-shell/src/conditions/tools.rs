@@ -183,6 +183,13 @@ impl Tools {
         }
     }
 
+    /// The shape of each tool at level zero, and how far it had moved and turned, from zero, as forces were last evaluated.
+    pub fn stood(&self) -> impl Iterator<Item = (ToolShape, Pose)> {
+        self.tools.iter().map(|Touched { contact, stood, .. }| {
+            (contact.tool, Pose { moved: stood.moved + self.origin, ..*stood })
+        })
+    }
+
     /// The place that is deepest in a tool, likewise, from the origin \[L\]; none without such a tool.
     pub fn deepest(&self, tool: usize, state: &[Row]) -> Option<Vec3> {
         let Touched { contact, stood, .. } = self.tools.get(tool)?;

@@ -73,6 +73,10 @@ impl Body for Shell {
         contacts(self)
     }
 
+    fn has_tools(&self, _body: usize) -> bool {
+        Shell::has_tools(self)
+    }
+
     fn outlines(&self) -> Vec<Outline> {
         let cells = self.reference().cloud.cells.clone();
         let own = self.least_half_thickness().map(|half| Outline::of_cells(self.len(), cells, half, true));
@@ -166,6 +170,10 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
 
     fn contacts(&self) -> Vec<ContactNow> {
         self.shell().contacts()
+    }
+
+    fn has_tools(&self, _body: usize) -> bool {
+        self.shell().has_tools()
     }
 
     fn outlines(&self) -> Vec<Outline> {

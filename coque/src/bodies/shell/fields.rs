@@ -11,6 +11,7 @@ use sph_shell::{Formulation, PointResult, Shell};
 
 use super::indicator::indicator;
 use super::linear_forces::LinearForces;
+use super::tool_shapes;
 use crate::bodies::sampled::{face_stress, von_mises};
 use crate::bodies::{FeltFields, FieldRequest, FieldSource, Part, State};
 use crate::scene::ShellFace;
@@ -65,6 +66,7 @@ impl FieldSource for Content<'_> {
         match part {
             Part::Surface => self.surface(to),
             Part::Extruded => self.extruded(to),
+            Part::Tools => tool_shapes::write(self.shell, &self.shown.units, to),
             // The checks leave a shell no other part.
             Part::Points => Ok(()),
         }

@@ -101,6 +101,10 @@ impl<S: Parts> Body for Together<S> {
         parts.iter().enumerate().flat_map(own).chain(between).collect()
     }
 
+    fn has_tools(&self, body: usize) -> bool {
+        self.system.each().get(body).is_some_and(|part| part.has_tools(0))
+    }
+
     fn outlines(&self) -> Vec<Outline> {
         let parts = self.system.each().into_iter().zip(self.layout.names.iter().zip(&self.layout.particles));
         let named = |(part, (name, range)): (&dyn Body, (&String, &Range<usize>))| {
