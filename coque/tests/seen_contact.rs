@@ -23,28 +23,28 @@ fn outcome(text: &str, replaced: &[Replaced]) -> Outcome {
 }
 
 /// The message of a warning, if a run gives it.
-fn told(outcome: &Outcome, kind: WarningKind) -> Option<&str> {
+fn reported(outcome: &Outcome, kind: WarningKind) -> Option<&str> {
     let mut own = outcome.summary.record.warnings.iter().filter(|warning| warning.kind == kind);
     let message = own.next().map(|warning| warning.message.as_str());
-    assert!(own.next().is_none(), "told twice");
+    assert!(own.next().is_none(), "reported twice");
     message
 }
 
 #[test]
 fn two_shells_in_each_other_are_told_with_places_and_level_and_two_that_touch_are_not() {
     let scene = text("two-cantilevers.toml");
-    let told = |replaced: &[Replaced]| {
+    let reported = |replaced: &[Replaced]| {
         let outcome = outcome(&scene, replaced);
-        told(&outcome, WarningKind::TouchingUnseen).map(str::to_string)
+        reported(&outcome, WarningKind::TouchingUnseen).map(str::to_string)
     };
-    assert_eq!(told(&[CANTILEVERS]), None);
-    let said = told(&[CANTILEVERS, PLAIN]).unwrap();
+    assert_eq!(reported(&[CANTILEVERS]), None);
+    let said = reported(&[CANTILEVERS, PLAIN]).unwrap();
     let begins = "`lower` and `upper` are in each other at level 0.333";
     assert!(said.starts_with(begins) || said.contains("between = [\"lower\", \"upper\"]"), "{said}");
     assert!(said.contains("where faces touch at 1.0000e1"), "{said}");
     // A load of which the gap is left open.
     let light = ("loads[0].force.total", "[0.0, 0.0, -0.4]");
-    assert_eq!(told(&[CANTILEVERS, PLAIN, &[light]]), None);
+    assert_eq!(reported(&[CANTILEVERS, PLAIN, &[light]]), None);
 }
 
 #[test]
@@ -58,10 +58,10 @@ fn a_shell_in_itself_is_told_and_one_that_touches_itself_is_not() {
     ];
     let scene = text("ring-in-itself.toml");
     let touching = outcome(&scene, &[coarse]);
-    assert_eq!(told(&touching, WarningKind::TouchingUnseen), None);
+    assert_eq!(reported(&touching, WarningKind::TouchingUnseen), None);
     let curve = ("curve", "[{ name = 'b', of = 'position', on = 'u0', direction = [0, 0, 1] }]");
     let through = outcome(&scene, &[coarse, &[("contact", "[]"), curve]]);
-    let said = told(&through, WarningKind::TouchingUnseen).unwrap();
+    let said = reported(&through, WarningKind::TouchingUnseen).unwrap();
     assert!(said.starts_with("the shell is in itself at level 0.5"), "{said}");
     assert!(said.contains("add [[contact]]"), "{said}");
 }
@@ -74,12 +74,12 @@ fn a_march_tells_what_is_in_each_other_where_it_ends() {
     let curve = ("curve", "[{ name = 'v', of = 'velocity', on = 'thrown.all', direction = [0, 0, 1] }]");
     let end = ("analysis.explicit.transient.duration", "0.04");
     let through = outcome(THROWN, &[&[("contact", "[]"), curve, end]]);
-    let said = told(&through, WarningKind::TouchingUnseen).unwrap();
+    let said = reported(&through, WarningKind::TouchingUnseen).unwrap();
     assert!(said.contains("at time 0.04"), "{said}");
-    assert_eq!(told(&outcome(THROWN, &[&[end]]), WarningKind::TouchingUnseen), None);
+    assert_eq!(reported(&outcome(THROWN, &[&[end]]), WarningKind::TouchingUnseen), None);
     let short = ("analysis.explicit.transient.duration", "0.01");
     assert_eq!(
-        told(&outcome(THROWN, &[&[("contact", "[]"), curve, short]]), WarningKind::TouchingUnseen),
+        reported(&outcome(THROWN, &[&[("contact", "[]"), curve, short]]), WarningKind::TouchingUnseen),
         None
     );
 }
@@ -211,10 +211,10 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     println!("{contact:?}\n{:?}\n{:?}", record.shortened, record.warnings);
     let deepest = |name: &str| column(&flew, name).into_iter().fold(0.0, f64::max);
     assert_eq!(contact.greatest_depth, deepest("depth").max(deepest("other")));
-    let said = told(&flew, WarningKind::DeepContact).unwrap();
+    let said = reported(&flew, WarningKind::DeepContact).unwrap();
     assert!(said.starts_with("`target` with `thrown`: faces are"), "{said}");
     let short = record.shortened.unwrap();
-    let said = told(&flew, WarningKind::ShortenedStep).unwrap();
+    let said = reported(&flew, WarningKind::ShortenedStep).unwrap();
     assert!(
         short.least < 0.5
             && said.contains(&format!("contact made {} of {} steps", short.steps, record.steps)),
@@ -225,8 +225,8 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     assert!(most > 1.0 && m.iter().zip(&w).all(|(m, w)| (m + w).abs() < 1e-12 * most));
     assert!(area.iter().zip(&gap).any(|(area, gap)| *area > 0.0 && *gap < 0.0));
     let slow = outcome(THROWN, &[&[("analysis.explicit.transient.duration", "0.04")]]);
-    assert_eq!(told(&slow, WarningKind::DeepContact), None);
-    assert_eq!(told(&slow, WarningKind::ShortenedStep), None);
+    assert_eq!(reported(&slow, WarningKind::DeepContact), None);
+    assert_eq!(reported(&slow, WarningKind::ShortenedStep), None);
     // What was noted so far stands in the checkpoint.
     stopped_again_and_again("thrown-fast", THROWN, &fast, 4);
 }

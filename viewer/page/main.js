@@ -177,7 +177,7 @@ function firstFit() {
 /** The particle that is seen at a place on the canvas: among the near ones the one in front. */
 function pick(x, y) {
   let best = null, reach = 14 * (window.devicePixelRatio || 1);
-  for (const shape of view.shapes.filter(shape => !shape.hidden)) {
+  for (const shape of view.shapes.filter(shape => !shape.hidden && !shape.head.glass)) {
     const { places, rows } = shape;
     for (let row = 0; row < rows; row++) {
       const [px, py, near] = view.camera.project(places[3 * row], places[3 * row + 1], places[3 * row + 2]);

@@ -61,7 +61,7 @@ impl ContactWatch {
         }
     }
 
-    /// Looks for what has come nearer than faces allow, at a time \[T\], zero without time, and a level; it is told once.
+    /// Looks for what has come nearer than faces allow, at a time \[T\], zero without time, and a level; it is reported once.
     pub fn look(&self, body: &dyn Body, [time, level]: [f64; 2], found: &mut RunRecord) {
         if found.warnings.iter().any(|known| known.kind == WarningKind::TouchingUnseen) {
             return;

@@ -14,8 +14,10 @@ use crate::scene::units::{Quantity, Units};
 const ROUND: usize = 48;
 /// Cells along half of a meridian of a ball.
 const MERIDIAN: usize = 12;
-/// How far planes reach beyond the middle of the shell, over its diagonal.
-const BEYOND: f64 = 0.75;
+/// How long planes and cylinders are over the shell along them.
+const BEYOND: f64 = 1.3;
+/// How long they are at least, over the diagonal of the shell.
+const LEAST: f64 = 0.25;
 /// Cells along a side of a plane and along a cylinder.
 const ALONG: usize = 16;
 
@@ -30,11 +32,10 @@ struct Drawn {
 
 /// Writes the tools of a shell as they stood when its forces were last evaluated.
 pub(super) fn write(shell: &Shell, units: &Units, to: &mut dyn FieldWriter) -> io::Result<()> {
-    let (middle, size) = extent(shell.rest_positions());
     let mut drawn = Drawn::default();
     let tools: Vec<(ToolShape, Pose)> = shell.tools_as_they_stood().collect();
     for (number, (shape, _)) in tools.iter().enumerate() {
-        drawn.add(shape, &middle, size);
+        drawn.add(shape, shell.rest_positions());
         drawn.tools.resize(drawn.places.len(), number);
     }
     let now = |i: usize| {
@@ -50,11 +51,22 @@ pub(super) fn write(shell: &Shell, units: &Units, to: &mut dyn FieldWriter) -> i
     to.numbers(At::Points, "tool", "-", &[], Values::Single(&numbers))
 }
 
-/// Middle and diagonal of the box round some places.
-fn extent(places: &[Vec3]) -> (Vec3, f64) {
-    let corner = |pick: fn(f64, f64) -> f64| places.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
-    let (low, high) = (corner(f64::min).unwrap_or_default(), corner(f64::max).unwrap_or_default());
-    ((low + high) * 0.5, (high - low).norm())
+/// Where the shell lies along a direction: the ends of what is drawn there.
+fn reach(rest: &[Vec3], along: &Vec3) -> [f64; 2] {
+    let corner = |pick: fn(f64, f64) -> f64| rest.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
+    let diagonal = (corner(f64::max).unwrap_or_default() - corner(f64::min).unwrap_or_default()).norm();
+    let ends = rest
+        .iter()
+        .map(|x| along.dot(x))
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+    let [low, high] = if ends[0] <= ends[1] { ends } else { [0.0; 2] };
+    let (middle, half) = (0.5 * (low + high), 0.5 * (BEYOND * (high - low)).max(LEAST * diagonal));
+    [middle - half, middle + half]
+}
+
+/// A place between two ends, so many of so many steps along.
+fn between([low, high]: [f64; 2], step: usize, of: usize) -> f64 {
+    low + (high - low) * step as f64 / of as f64
 }
 
 /// Two directions across one of length one, at right angles.
@@ -65,22 +77,23 @@ fn across(axis: &Vec3) -> [Vec3; 2] {
 }
 
 impl Drawn {
-    fn add(&mut self, shape: &ToolShape, middle: &Vec3, size: f64) {
+    fn add(&mut self, shape: &ToolShape, rest: &[Vec3]) {
         match *shape {
             ToolShape::Plane { point, normal } => {
-                let centre = middle - normal * normal.dot(&(middle - point));
                 let [u, v] = across(&normal);
-                let at = |i: usize| BEYOND * size * (2.0 * i as f64 / ALONG as f64 - 1.0);
-                self.grid([ALONG, ALONG], |i, j| centre + u * at(i) + v * at(j));
+                let [of_u, of_v] = [u, v].map(|axis| reach(rest, &axis));
+                let foot = normal * normal.dot(&point);
+                self.grid([ALONG, ALONG], |i, j| {
+                    foot + u * between(of_u, i, ALONG) + v * between(of_v, j, ALONG)
+                });
             }
             ToolShape::Sphere { centre, radius } => self.ball([centre; 2], &Vec3::z(), radius),
             ToolShape::Cylinder { point, axis, radius } => {
                 let [u, v] = across(&axis);
-                let foot = point + axis * axis.dot(&(middle - point));
-                let at = |i: usize| 0.5 * size * (2.0 * i as f64 / ALONG as f64 - 1.0);
+                let (foot, ends) = (point - axis * axis.dot(&point), reach(rest, &axis));
                 self.grid([ROUND, ALONG], |i, j| {
                     let (sin, cos) = libm::sincos(TAU * i as f64 / ROUND as f64);
-                    foot + axis * at(j) + (u * cos + v * sin) * radius
+                    foot + axis * between(ends, j, ALONG) + (u * cos + v * sin) * radius
                 });
             }
             ToolShape::Capsule { ends, radius } => {
@@ -134,7 +147,7 @@ mod tests {
         ];
         for shape in shapes {
             let mut drawn = Drawn::default();
-            drawn.add(&shape, &Vec3::new(1.0, 1.0, 1.0), 3.0);
+            drawn.add(&shape, &[Vec3::zeros(), Vec3::new(1.0, 2.0, 3.0)]);
             assert!(drawn.places.len() > 200);
             for place in &drawn.places {
                 assert!(shape.face(place, &Vec3::zeros()).distance.abs() < 1e-14, "{shape:?}: {place:?}");
