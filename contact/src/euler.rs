@@ -63,7 +63,8 @@ impl Touched {
         {
             return;
         }
-        if self.near.is_empty() {
+        // Particles without faces share nothing that would count twice.
+        if self.near.is_empty() || mesh.is_of_points() {
             return;
         }
         self.count(mesh);

@@ -54,6 +54,12 @@ impl Felt {
         self.grip = self.grip.max(other.grip);
     }
 
+    /// A share of it, of a node that several carry.
+    pub fn share(&self, share: f64) -> Self {
+        let [area, of, pressed] = [self.area, self.of, self.pressed].map(|whole| share * whole);
+        Self { area, of, pressed, rubbed: self.rubbed * share, ..*self }
+    }
+
     /// Normal forces over the area \[F/L²\], those of both faces summed; zero where there is no area.
     pub fn pressure(&self) -> f64 {
         if self.of > 0.0 { self.pressed / self.of } else { 0.0 }

@@ -9,7 +9,7 @@ use crate::surface::Surface;
 
 /// Vertices, triangles and edges of a surface.
 ///
-/// Every quadrilateral is four triangles about its middle, which is a vertex of its own.
+/// Every quadrilateral is four triangles about its middle, which is a vertex of its own. Particles without faces are a triangle of no size each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     surface: Surface,
@@ -63,6 +63,18 @@ impl Mesh {
         let sides = faces.iter().map(side).collect();
         let rims = numbers.values().map(|(_, faces)| *faces == 1).collect();
         Self { surface, faces, sides, edges: numbers.into_keys().collect(), rims }
+    }
+
+    /// Particles without faces, ascending, with the area of each \[L²\]: balls of a radius \[L\].
+    pub fn points(points: &[(u32, f64)], radius: f64) -> Self {
+        let faces = (0..points.len() as u32).map(|vertex| [vertex; 3]).collect();
+        let surface = Surface::points(points, radius);
+        Self { surface, faces, sides: Vec::new(), edges: Vec::new(), rims: Vec::new() }
+    }
+
+    /// Whether it is particles without faces.
+    pub(crate) fn is_of_points(&self) -> bool {
+        self.edges.is_empty()
     }
 
     /// Its vertices.

@@ -83,6 +83,12 @@ impl Surface {
         Self { vertices, particles }
     }
 
+    /// Particles without faces, ascending, with the area of each \[L²\], all with this half thickness \[L\].
+    pub(crate) fn points(points: &[(u32, f64)], half: f64) -> Self {
+        let vertex = |&(a, area): &(u32, f64)| Vertex { nodes: [a; 4], count: 1, area, half };
+        Self { vertices: points.iter().map(vertex).collect(), particles: points.len() }
+    }
+
     /// All vertices: particles in their order, then middles in the order of the cells.
     pub fn vertices(&self) -> &[Vertex] {
         &self.vertices

@@ -37,7 +37,8 @@ pub struct Touching {
 /// Two surfaces, or one with itself, that may touch.
 ///
 /// Each vertex acts on the faces of the other surface, in two passes whose shares are inverse to the mean areas of vertices: both
-/// are as stiff. Who uses it says where nodes are and takes forces on nodes; a body is a number, zero where there is one.
+/// are as stiff. Particles without faces act on the faces of the other alone, with all of the stiffness. Who uses it says where nodes are and takes
+/// forces on nodes; a body is a number, zero where there is one.
 #[derive(Clone, Debug)]
 pub struct SurfaceContact {
     meshes: Vec<Mesh>,
@@ -129,7 +130,11 @@ impl SurfaceContact {
     pub fn between(meshes: [Mesh; 2], rest: [&[Vec3]; 2], touching: Touching) -> Self {
         let [a, b] = [0, 1].map(|i: usize| meshes[i].mean_area());
         let pass = |of: usize, share: f64| Pass { of, on: 1 - of, share, list: List::default() };
-        let passes = vec![pass(0, b / (a + b)), pass(1, a / (a + b))];
+        let passes = match [0, 1].map(|i: usize| meshes[i].is_of_points()) {
+            [true, false] => vec![pass(0, 1.0)],
+            [false, true] => vec![pass(1, 1.0)],
+            _ => vec![pass(0, b / (a + b)), pass(1, a / (a + b))],
+        };
         Self::of(meshes.into(), &rest, touching, passes, None)
     }
 

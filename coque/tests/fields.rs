@@ -93,6 +93,7 @@ fn the_extruded_shell_has_the_volume_of_the_shell() {
         units,
         stresses: false,
         indicator: false,
+        contact: false,
         driven: None,
         forces: None,
     };

@@ -150,6 +150,11 @@ fn is_small(scene: &Checked, body: &BodyScene) -> bool {
             }
             _ => false,
         },
+        BodyScene::Rigid(rigid) => match &rigid.geometry {
+            RigidGeometry::Ball(ball) => ball.radius.get() / ball.spacing.get() <= 5.0,
+            RigidGeometry::Box(own) => (0..3).all(|k| (own.max[k] - own.min[k]) / own.spacing.get() <= 10.0),
+            RigidGeometry::Mesh(_) => true,
+        },
     }
 }
 

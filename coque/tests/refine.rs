@@ -85,16 +85,20 @@ fn a_plate_with_a_hole_is_refined_where_its_error_is() {
     let [coarse, fine] = [64, 128].map(|n| answers(&of(plate(n))));
     let truth = [0, 1].map(|k| fine[k] + (fine[k] - coarse[k]) / 3.0);
     let off = |found: [f64; 2]| (0..2).map(|k| (found[k] / truth[k] - 1.0).abs()).fold(0.0, f64::max);
-    let before = off(answers(&of(plate(16))));
-    let Graded { arrays, nodes, error, .. } = of(plate(16)).graded(Some(0.7), 1, &mut Silent).unwrap();
-    let particles = arrays.points.len();
-    let after = of(arrays);
-    // Measured .42 of the error with 1.5 times the particles; cells of one size take 2.6 times.
-    assert!(nodes == 289 && 10 * particles <= 16 * nodes, "{particles}");
-    let found = off(answers(&after));
-    assert!(found <= 0.5 * before, "{found}, {before}");
-    let next = after.graded(Some(0.7), 1, &mut Silent).unwrap();
-    assert!(next.error.unwrap() < error.unwrap(), "{:?}, {error:?}", next.error);
+    let even = plate(32);
+    let (particles, bound) = (even.points.len(), off(answers(&of(even))));
+    let mut scene = of(plate(16));
+    let (mut nodes, mut errors) = (0, Vec::new());
+    for _ in 0..3 {
+        let graded = scene.graded(Some(0.3), 1, &mut Silent).unwrap();
+        (nodes, scene) = (graded.arrays.points.len(), of(graded.arrays));
+        errors.extend(graded.error);
+    }
+    // 572 particles .18 % off; cells of one size .28 % off with 1089, and 1700 take them as far.
+    assert!(100 * nodes <= 53 * particles, "{nodes} of {particles}");
+    let found = off(answers(&scene));
+    assert!(found <= 0.8 * bound, "{found}, {bound}");
+    assert!(errors.windows(2).all(|two| two[1] < two[0]), "{errors:?}");
 }
 
 fn refine(arguments: &[&str]) -> Output {
@@ -129,6 +133,48 @@ fn a_roof_becomes_a_mesh_on_its_own_surface() {
     let again = refine(&[scene.to_str().unwrap(), "--by", "50%", "--out", out.to_str().unwrap()]);
     assert_eq!(again.status.code(), Some(2));
     fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_mesh_of_a_roof_is_refined_on_the_roof() {
+    let text = fs::read_to_string(scenes().join("scordelis-lo.toml")).unwrap();
+    let roof = |n: usize| {
+        overridden(&text, "roof.toml", &[("geometry.cylinder.particles", &format!("[{n}, {n}]"))]).unwrap()
+    };
+    let on_mesh = |scene: &Checked, graded: Graded| {
+        let text = scene.on_mesh(&text, "roof").unwrap();
+        let mut scene = overridden(&text, "roof.toml", &[]).unwrap().into_scene();
+        scene.surfaces.insert("roof".into(), Arc::new(graded.arrays));
+        scene.check().unwrap()
+    };
+    // A lattice of 9×9 as a mesh, and that mesh cut in four.
+    let coarse = roof(5);
+    let mesh = on_mesh(&coarse, coarse.graded(Some(1.0), 1, &mut Silent).unwrap());
+    let finer = mesh.graded(None, 1, &mut Silent).unwrap();
+    let off = finer.arrays.points.iter().map(|&[x, _, z]| (libm::hypot(x, z) - 25.0).abs());
+    assert!(off.fold(0.0, f64::max) < 5e-5 * 25.0);
+    let found = |scene: Checked| ran(Ok(scene)).curve.column("w_edge").unwrap()[0];
+    let (refined, exact) = (found(on_mesh(&mesh, finer)), found(roof(17)));
+    // 1.2e-4 measured; flat faces give a polygon for an arc, and 1 %.
+    assert!((refined / exact - 1.0).abs() < 4e-4, "{refined}, {exact}");
+}
+
+#[test]
+fn the_indicator_tells_the_error_of_the_energy() {
+    let text = fs::read_to_string(scenes().join("scordelis-lo.toml")).unwrap();
+    let text = text + "\n[[curve]]\nname = \"stored\"\nof = \"energy\"\non = \"all\"\ntake = \"sum\"\n";
+    let roof = |n: usize| {
+        overridden(&text, "roof.toml", &[("geometry.cylinder.particles", &format!("[{n}, {n}]"))]).unwrap()
+    };
+    let stored = |n: usize| ran(Ok(roof(n))).curve.column("stored").unwrap()[0];
+    let [coarse, fine] = [41, 81].map(stored);
+    let truth = fine + (fine - coarse) / 3.0;
+    // Under given forces the square of the error of the strains is that of the energy: .17, .083 where 14 %, 8.0 % are estimated.
+    for n in [11, 21] {
+        let found = (stored(n) / truth - 1.0).abs().sqrt();
+        let estimated = roof(n).graded(Some(0.5), 1, &mut Silent).unwrap().error.unwrap();
+        assert!((0.7..1.2).contains(&(estimated / found)), "{n}: {estimated}, {found}");
+    }
 }
 
 #[test]

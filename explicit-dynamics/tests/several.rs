@@ -88,8 +88,8 @@ impl Joinable for Mass {
     fn velocities(&self, _: &[u32], out: &mut [[f64; 3]]) {
         out.fill(self.v);
     }
-    fn mass(&self, _: u32) -> f64 {
-        self.mass
+    fn masses(&self, particles: &[u32]) -> Vec<f64> {
+        vec![self.mass; particles.len()]
     }
     fn release(&mut self) {
         self.exerted = [0.0; 3];

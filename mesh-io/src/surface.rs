@@ -1,10 +1,10 @@
-//! Surfaces from files: nodes in use, faces turned the same way, sheets cut where they meet, sets, boundary loops; and the cloud
-//! made of them.
+//! Surfaces from files: nodes in use, faces turned the same way, sheets cut where they meet, sets, boundary loops; and the cloud made of them.
 //!
 //! [`parse`] lets the reader of the format take what stands in a file, and makes it a sound [`Surface`] or refuses it.
 
 mod arrays;
 mod boundary;
+mod curved;
 mod error;
 mod formats;
 mod hollow;

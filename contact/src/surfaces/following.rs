@@ -85,7 +85,7 @@ impl SurfaceContact {
             let range = Range { allowed, distance: touching.distance, skin: touching.skin };
             pass.list.faces(&places[pass.of], &meshes[pass.on], &places[pass.on], &range);
         }
-        if !touching.edges {
+        if !touching.edges || meshes.iter().any(Mesh::is_of_points) {
             return;
         }
         let last = meshes.len() - 1;

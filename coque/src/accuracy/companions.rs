@@ -20,8 +20,6 @@ pub struct Companions {
     pub lattices: Vec<Refined>,
     /// Names of sets that are on no particles there, with which no column has a bar.
     pub moved: Vec<String>,
-    /// What the bars do not hold for want of other lattices.
-    pub lacks: Vec<String>,
     /// Places at rest on the scene's own lattice.
     pub rest: Vec<Vec3>,
 }
@@ -102,8 +100,7 @@ fn companions(scene: &Checked, threads: usize) -> Result<Companions, String> {
     let (rest, own) = placed(scene, threads).map_err(refused)?;
     if scene.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some()) && scene.bodies.len() == 1 {
         let lattices = meshes::finer(scene, &alone)?;
-        let lacks = vec!["curvature of the mesh (refined flat, face by face)".to_string()];
-        return Ok(Companions { lattices, moved: Vec::new(), lacks, rest });
+        return Ok(Companions { lattices, moved: Vec::new(), rest });
     }
     let sets = if scene.bodies.len() == 1 { kept(scene, &rest, &own) } else { Vec::new() };
     let (read, acting): (Vec<&KeptSet>, Vec<&KeptSet>) = sets.iter().partition(|set| set.read_only);
@@ -118,7 +115,7 @@ fn companions(scene: &Checked, threads: usize) -> Result<Companions, String> {
         if let Some(lattices) = lattices(&alone, wanted, sets, even) {
             let dropped = sets.len() < all.len();
             let moved = read.iter().filter(|_| dropped).map(|set| set.name.clone()).collect();
-            return Ok(Companions { lattices, moved, lacks: Vec::new(), rest });
+            return Ok(Companions { lattices, moved, rest });
         }
     }
     Err(why(scene, &sets))

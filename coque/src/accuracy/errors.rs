@@ -44,7 +44,6 @@ impl Checked {
             ended: outcome.ended.to_string(),
         };
         let mut errors = Errors { lattices: vec![own_words], holds: holds(self), ..Errors::default() };
-        errors.lacks = found.lacks;
         let own = Found::of(1.0, found.rest, outcome);
         let nested = Nested::of(self, outcome);
         let wanted = self.error.as_ref().filter(|wanted| wanted.sharpen);

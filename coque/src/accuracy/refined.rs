@@ -25,7 +25,8 @@ impl Refined {
     /// What makes the scene as it was given this one, as paths and values (`--set`); none of a mesh.
     pub fn overrides(&self) -> Option<Vec<(String, String)>> {
         let bodies = self.scene.bodies_in_scene().ok()?;
-        let changed = bodies.iter().filter(|body| !matches!(body.body, BodyScene::Walls(_)));
+        let changed =
+            bodies.iter().filter(|body| !matches!(body.body, BodyScene::Walls(_) | BodyScene::Rigid(_)));
         let pair = |scene: &BodyInScene<'_>| {
             let (key, value) = spaced(scene.body)?;
             Some((scene.body_scope().path(&format!("geometry.{key}")), value))
@@ -58,7 +59,7 @@ fn spaced(body: &BodyScene) -> Option<(String, String)> {
         BodyScene::Fluid(fluid) => {
             (format!("{}.spacing", fluid.geometry.word()), format!("{:?}", fluid.geometry.spacing()))
         }
-        BodyScene::Walls(_) => return None,
+        BodyScene::Walls(_) | BodyScene::Rigid(_) => return None,
     })
 }
 
@@ -81,6 +82,9 @@ impl Checked {
             return refused("bodies", "several bodies");
         }
         let body = scene.bodies.values_mut().next();
+        if matches!(body, Some(BodyScene::Rigid(_))) {
+            return refused("bodies", "a rigid body");
+        }
         let Some(body) = body.filter(|body| !matches!(body, BodyScene::Fluid(_) | BodyScene::Walls(_)))
         else {
             return refused("bodies", "a fluid");
@@ -188,7 +192,9 @@ pub(super) fn refine(body: &mut BodyScene, fineness: f64, steps: Steps<'_>) -> O
         BodyScene::Shell(shell) => refine_shell(&mut shell.geometry, fineness, steps),
         BodyScene::Solid(solid) => Some(refine_solid(&mut solid.geometry, fineness, steps)),
         BodyScene::Fluid(fluid) => refine_fluid(&mut fluid.geometry, fineness),
-        BodyScene::Walls(_) => Some(Change { spacings: Vec::new(), along: 0, lattice: String::new() }),
+        BodyScene::Walls(_) | BodyScene::Rigid(_) => {
+            Some(Change { spacings: Vec::new(), along: 0, lattice: String::new() })
+        }
     }
 }
 

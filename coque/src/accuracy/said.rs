@@ -71,7 +71,7 @@ pub(super) fn lacks(scene: &Checked) -> Vec<(Option<ErrorProbe>, String)> {
                 left.push((Some(ErrorProbe::SoundSpeed), "the sound speed of the fluid".into()));
                 left.push((Some(ErrorProbe::Smoothing), "the smoothing length of the fluid".into()));
             }
-            BodyScene::Walls(_) => {}
+            BodyScene::Walls(_) | BodyScene::Rigid(_) => {}
         }
     }
     // Bodies of one kind leave out the same.

@@ -37,6 +37,11 @@ pub trait Body: Send {
         Vec::new()
     }
 
+    /// Whether it counts the turns of a particle itself, so that they are read as [`Measured::Rotation`] and not followed by its director.
+    fn counts_turns(&self, _particle: usize) -> bool {
+        false
+    }
+
     /// Works out what its fields show, for whoever writes them.
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a>;
 

@@ -5,6 +5,7 @@ use super::coupled::build::coupled_model;
 use super::galerkin::build::galerkin_model;
 use super::model::Model;
 use super::refusal::not_a;
+use super::rigid_body::build::rigid_model;
 use super::shell::build::shell_model;
 use super::solid::build::solid_model;
 use super::together::build::together_model;
@@ -43,6 +44,7 @@ impl Checked {
                 Some(options) => galerkin_model(scene, solid, options, threads),
                 None => solid_model(scene, solid, threads),
             },
+            BodyScene::Rigid(rigid) => rigid_model(scene, rigid, threads),
             BodyScene::Fluid(_) | BodyScene::Walls(_) => Err(not_a(scene, "fluid")),
         }
     }

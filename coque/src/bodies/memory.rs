@@ -79,6 +79,7 @@ pub(crate) fn check_memory(scene: &BodyInScene<'_>, particles: f64) -> Result<Me
         },
         BodyScene::Fluid(fluid) => format!("{}.spacing", fluid.geometry.word()),
         BodyScene::Walls(walls) => walls.geometry.word().into(),
+        BodyScene::Rigid(rigid) => rigid.geometry.word().into(),
         BodyScene::Shell(ShellScene { geometry, .. }) => {
             let key = match geometry {
                 Geometry::Mesh(_) => "file",
@@ -124,7 +125,10 @@ pub(crate) fn memory(analysis: &Analysis, body: &BodyScene, particles: f64) -> f
     let Shares { each, factor, multigrid } = match body {
         BodyScene::Shell(shell) => shares_of_shell(shell),
         BodyScene::Solid(solid) => shares_of_solid(solid),
-        BodyScene::Fluid(_) | BodyScene::Walls(_) => Shares { each: FLUID, ..Shares::default() },
+        // A vertex has no more than a particle of a fluid.
+        BodyScene::Fluid(_) | BodyScene::Walls(_) | BodyScene::Rigid(_) => {
+            Shares { each: FLUID, ..Shares::default() }
+        }
     };
     let solver = match analysis {
         Analysis::Explicit(_) => 0.0,

@@ -12,6 +12,7 @@
 //! | bodies that nothing keeps apart | `outline.rs`, `unseen.rs` |
 //! | contacts with what they do now, and their names | `contact_now.rs`, `contacts_of_scene.rs` |
 //! | shells; solids with bonds, without; fluids and walls | `shell/`; `solid/`, `galerkin/`; `fluid/` |
+//! | rigid bodies | `rigid_body/` |
 //! | several bodies without a fluid as one body | `together/` |
 //! | a fluid, its walls and the structures in it as one body | `coupled/` |
 
@@ -34,6 +35,7 @@ pub(crate) mod probe;
 mod refusal;
 mod resultants;
 mod rigid;
+mod rigid_body;
 mod sampled;
 pub(crate) mod sets;
 pub(crate) mod shell;

@@ -129,13 +129,15 @@ impl Probe {
         if matches!(self.of, Measured::ContactGap | Measured::GreatestDepth | Measured::TouchingArea) {
             return self.felt(body);
         }
-        if self.of == Measured::Rotation {
+        let followed =
+            self.of == Measured::Rotation && !self.particles.iter().all(|&a| body.counts_turns(a as usize));
+        if followed {
             self.count_on(body);
         }
         let one = |i: usize| {
             let a = self.particles[i] as usize;
             match self.of {
-                Measured::Rotation => self.turns[i].1,
+                Measured::Rotation if followed => self.turns[i].1,
                 Measured::Moment | Measured::ReactionMoment | Measured::ContactMoment => {
                     moment(body, (self.of, a), &self.direction, &self.about)
                 }

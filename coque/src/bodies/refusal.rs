@@ -58,9 +58,11 @@ pub(super) fn refuse_free_motion(
         BodyScene::Shell(_) => {
             "hold it: clamp an edge, add a symmetry plane, or hinge three particles out of line"
         }
+        BodyScene::Rigid(_) => "hold it: `clamped`, `held`, or springs to the ground or to another body",
         _ => "hold it: clamp a face, add a symmetry plane, or hold nodes out of line",
     };
-    let value = format!("{} free to move: {}", scene.body.word(), free.join(", "));
+    let word = if scene.as_rigid().is_some() { "rigid body" } else { scene.body.word() };
+    let value = format!("{word} free to move: {}", free.join(", "));
     Err(SceneError::FreeMotion(scene.source.fault(path, &value, &bound, repair)))
 }
 

@@ -32,8 +32,8 @@ pub struct Refine {
 pub const HELP: &str = "\
 Writes the scene on a finer mesh: each cell in four, or with --by only those where the estimated error is. A run with
 [error] and [output.fields] shows the same estimate as the field `error_indicator`. A lattice becomes a mesh with the sets
-that the scene names, its new particles on its own surface; a mesh is refined flat. Sets take in the middles of their
-edges. Refuses what has no cells, meshes that are tied or have sections of their own, lattices that are scattered,
+that the scene names, its new particles on its own surface; those of a mesh follow the curve through its nodes. Sets take in
+the middles of their edges. Refuses what has no cells, meshes that are tied or have sections of their own, lattices that are scattered,
 disordered, graded, turned or placed.
 
 Examples:

@@ -14,6 +14,7 @@ use super::loads::Load;
 use super::output::Output;
 use super::owner::Owner;
 use super::problem::{BodyScene, Scene};
+use super::rigid::RigidScene;
 use super::scope::Scope;
 use super::sets::Region;
 use super::shell::ShellScene;
@@ -127,6 +128,17 @@ impl<'a> BodyInScene<'a> {
         if let BodyScene::Solid(solid) = self.body { Some(solid) } else { None }
     }
 
+    /// The rigid body, if the body is one.
+    pub(crate) fn as_rigid(&self) -> Option<&'a RigidScene> {
+        if let BodyScene::Rigid(rigid) = self.body { Some(rigid) } else { None }
+    }
+
+    /// Whether a contact between bodies names it.
+    pub(crate) fn is_touched(&self) -> bool {
+        let names = self.scene.contact.iter().filter_map(|contact| contact.between.as_ref()).flatten();
+        names.into_iter().any(|name| name == self.name)
+    }
+
     /// Where the keys of the scene stand.
     pub(crate) fn scope(&self) -> Scope<'a> {
         self.source.scope("")
@@ -148,7 +160,7 @@ impl<'a> BodyInScene<'a> {
         match self.body {
             BodyScene::Shell(shell) => shell.imperfection,
             BodyScene::Solid(solid) => solid.imperfection,
-            BodyScene::Fluid(_) | BodyScene::Walls(_) => None,
+            BodyScene::Fluid(_) | BodyScene::Walls(_) | BodyScene::Rigid(_) => None,
         }
     }
 
@@ -162,9 +174,13 @@ impl<'a> BodyInScene<'a> {
         first.filter(|_| alone && self.analysis.kind().seeks_force)
     }
 
-    /// Whether it is a shell that may touch tools or itself.
+    /// Whether it may touch tools, itself or another body.
     pub(crate) fn may_touch(&self) -> bool {
-        self.as_shell().is_some_and(|shell| !(shell.tools.is_empty() && self.scene.contact.is_empty()))
+        match self.body {
+            BodyScene::Shell(shell) => !(shell.tools.is_empty() && self.scene.contact.is_empty()),
+            BodyScene::Solid(_) | BodyScene::Rigid(_) => !self.in_fluid && !self.scene.contact.is_empty(),
+            BodyScene::Fluid(_) | BodyScene::Walls(_) => false,
+        }
     }
 
     /// Whether any body of the scene is a shell that may touch.

@@ -54,6 +54,7 @@ pub fn catalogue() -> Vec<CatalogueEntry> {
         shelf("cut-outs", "[bodies.NAME.solid.geometry] cut_outs", alternatives(&types["CutOut"])),
         shelf("fluids", "[bodies.NAME.fluid.geometry.…]", alternatives(&types["FluidGeometry"])),
         shelf("walls", "[bodies.NAME.walls.geometry.…]", alternatives(&types["WallGeometry"])),
+        shelf("rigid-bodies", "[bodies.NAME.rigid.geometry.…]", alternatives(&types["RigidGeometry"])),
         shelf("kernels", "formulation.….kernel", kernels.into()),
         shelf("strains", "formulation.….curvature", strains.into()),
         shelf("sets", "on = \"…\"", sets.into()),

@@ -15,6 +15,7 @@ use super::curve::{Measured, Probe};
 use super::fluid::FluidScene;
 use super::loads::Load;
 use super::output::{ErrorBars, Output};
+use super::rigid::RigidScene;
 use super::scope::Scope;
 use super::sets::Region;
 use super::shell::ShellScene;
@@ -85,6 +86,8 @@ pub enum BodyScene {
     Fluid(FluidScene),
     /// Rigid walls of a fluid.
     Walls(WallsScene),
+    /// A rigid body with a closed surface.
+    Rigid(RigidScene),
 }
 
 impl BodyScene {
@@ -95,6 +98,7 @@ impl BodyScene {
             Self::Solid(_) => "solid",
             Self::Fluid(_) => "fluid",
             Self::Walls(_) => "walls",
+            Self::Rigid(_) => "rigid",
         }
     }
 
@@ -105,6 +109,7 @@ impl BodyScene {
             Self::Solid(solid) => solid.velocity.as_ref(),
             Self::Fluid(fluid) => fluid.velocity.as_ref(),
             Self::Walls(_) => None,
+            Self::Rigid(rigid) => rigid.velocity.as_ref(),
         }
     }
 }
@@ -128,7 +133,7 @@ impl Scene {
     /// Whether all bodies lie in a plane and none has a thickness of its own: forces and energies are then those of a unit of depth.
     pub(crate) fn is_by_depth(&self) -> bool {
         self.bodies.values().all(|body| match body {
-            BodyScene::Shell(_) => false,
+            BodyScene::Shell(_) | BodyScene::Rigid(_) => false,
             BodyScene::Solid(solid) => {
                 let block = solid.geometry.block.as_ref();
                 solid.dimensions() == 2 && block.is_some_and(|block| block.thickness.is_none())

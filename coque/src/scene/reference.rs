@@ -50,6 +50,7 @@ pub fn reference_page() -> String {
         ("A solid, below `bodies.NAME.solid`", "SolidScene"),
         ("A fluid, below `bodies.NAME.fluid`", "FluidScene"),
         ("Walls of a fluid, below `bodies.NAME.walls`", "WallsScene"),
+        ("A rigid body, below `bodies.NAME.rigid`", "RigidScene"),
     ] {
         let body = &schema["$defs"][kind];
         page.text.push_str(&format!("\n## {heading}\n"));

@@ -12,6 +12,9 @@ pub(crate) const BUILT_IN: [&str; 11] =
 /// Sets that every solid has: all nodes, and those on the faces of its block.
 pub(crate) const OF_SOLIDS: [&str; 7] = ["all", "x0", "x1", "y0", "y1", "z0", "z1"];
 
+/// Sets that every rigid body has: the body itself, at its centre of mass.
+pub(crate) const OF_RIGID_BODIES: [&str; 1] = ["all"];
+
 /// Sets that every fluid has.
 pub(crate) const OF_FLUIDS: [&str; 1] = ["all"];
 

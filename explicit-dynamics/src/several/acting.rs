@@ -123,7 +123,7 @@ impl Acting {
 
     fn masses_of<S: Joinable + ?Sized>(&self, systems: &[Box<S>]) -> Vec<f64> {
         let all = systems.iter().zip(&self.particles);
-        all.flat_map(|(system, particles)| particles.iter().map(|&particle| system.mass(particle))).collect()
+        all.flat_map(|(system, particles)| system.masses(particles)).collect()
     }
 
     /// Adds its tangent in mass-scaled coordinates, those of each system behind those before it.

@@ -27,8 +27,8 @@ pub trait Joinable: Dynamics + MassScaled {
     /// Velocities \[L/T\] of some particles.
     fn velocities(&self, particles: &[u32], out: &mut [[f64; 3]]);
 
-    /// Masses that move with a particle at least \[M\].
-    fn mass(&self, particle: u32) -> f64;
+    /// Masses that move with some particles at least: `Σ m |v|²` is no more than twice the kinetic energy, whatever the motion \[M\].
+    fn masses(&self, particles: &[u32]) -> Vec<f64>;
 
     /// Takes away all forces that others exert.
     fn release(&mut self);

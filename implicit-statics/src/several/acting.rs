@@ -8,6 +8,14 @@ use super::interaction::{Interaction, Joinable};
 /// A motion of a place: unknowns of all systems, with its velocity for a unit of each.
 type Moves = Vec<(usize, [f64; 3])>;
 
+/// A place that shares a block with another.
+#[derive(Clone, Copy)]
+struct Partner {
+    place: usize,
+    pair: usize,
+    turned: bool,
+}
+
 /// An interaction under way.
 pub(super) struct Acting {
     interaction: Box<dyn Interaction>,
@@ -18,6 +26,8 @@ pub(super) struct Acting {
     places: Vec<[f64; 3]>,
     forces: Vec<[f64; 3]>,
     pairs: Vec<[usize; 2]>,
+    /// Of each place those with which it shares a block, the number of the pair, and whether the block is turned round.
+    partners: Vec<Vec<Partner>>,
     /// Entries that no system has of itself.
     pub own: Vec<(usize, usize)>,
     /// Where each entry that it adds to stands in the pattern, in the order in which [`Acting::visit`] hands them out.
@@ -48,6 +58,7 @@ impl Acting {
             places,
             forces,
             pairs: Vec::new(),
+            partners: Vec::new(),
             own: Vec::new(),
             targets: Vec::new(),
         };
@@ -63,12 +74,16 @@ impl Acting {
         pattern: &[(usize, usize)],
     ) {
         self.pairs = self.interaction.pairs();
+        self.partners = partners(&self.pairs, self.places.len());
         let moves = self.moves(systems, first);
         let mut asked: Vec<(usize, usize)> = Vec::new();
         let ones = vec![[[1.0; 3]; 3]; self.pairs.len()];
         self.visit(&moves, &ones, |_, entry, _| asked.push(entry));
+        let mut reached = vec![false; first.last().copied().unwrap_or(0)];
+        asked.iter().for_each(|(row, column)| [row, column].into_iter().for_each(|&i| reached[i] = true));
+        let among = |&(_, entry): &(usize, &(usize, usize))| reached[entry.0] && reached[entry.1];
         let known: HashMap<(usize, usize), usize> =
-            pattern.iter().enumerate().map(|(at, entry)| (*entry, at)).collect();
+            pattern.iter().enumerate().filter(among).map(|(at, entry)| (*entry, at)).collect();
         self.own = asked.iter().filter(|entry| !known.contains_key(entry)).copied().collect();
         self.own.sort_unstable();
         self.own.dedup();
@@ -161,36 +176,42 @@ impl Acting {
         }
     }
 
-    /// Hands every entry of the lower half to which a block adds, with its number and with what belongs to it, to `put`, some of them several
-    /// times. Blocks of zero are passed over.
+    /// Hands every entry of the lower half to which blocks add, with its number and with what belongs to it, to `put`, some of them several
+    /// times: of each place the rows `Bᵀ Σ K B` over all with which it shares a block, B how they move.
     fn visit(
         &self,
         moves: &[Moves],
         blocks: &[[[f64; 3]; 3]],
         mut put: impl FnMut(usize, (usize, usize), f64),
     ) {
-        let mut number = 0;
-        for (&[a, b], block) in self.pairs.iter().zip(blocks) {
-            if *block == [[0.0; 3]; 3] {
-                number += match a == b {
-                    true => moves[a].len() * (moves[a].len() + 1) / 2,
-                    false => moves[a].len() * moves[b].len(),
-                };
-                continue;
-            }
-            for (i, left) in &moves[a] {
-                let row =
-                    [0, 1, 2].map(|k| left[0] * block[0][k] + left[1] * block[1][k] + left[2] * block[2][k]);
-                for (j, right) in &moves[b] {
-                    // A block off the diagonal stands for its transpose as well; one on it has both halves.
-                    if a == b && i < j {
-                        continue;
+        let most = moves.iter().flatten().fold(0, |most, (unknown, _)| most.max(unknown + 1));
+        let (mut number, mut columns) = (0, Vec::new());
+        let (mut met, mut resisted) = (vec![false; most], vec![[0.0; 3]; most]);
+        for (left, partners) in moves.iter().zip(&self.partners) {
+            for partner in partners {
+                let block = &blocks[partner.pair];
+                for (column, right) in &moves[partner.place] {
+                    if !std::mem::replace(&mut met[*column], true) {
+                        columns.push(*column);
+                        resisted[*column] = [0.0; 3];
                     }
-                    let twice = if a != b && i == j { 2.0 } else { 1.0 };
-                    put(number, (*i.max(j), *i.min(j)), twice * dot(&row, right));
+                    for k in 0..3 {
+                        let row = match partner.turned {
+                            true => [block[0][k], block[1][k], block[2][k]],
+                            false => block[k],
+                        };
+                        resisted[*column][k] += dot(&row, right);
+                    }
+                }
+            }
+            columns.sort_unstable();
+            for (row, left) in left {
+                for &column in columns.iter().take_while(|column| **column <= *row) {
+                    put(number, (*row, column), dot(left, &resisted[column]));
                     number += 1;
                 }
             }
+            columns.drain(..).for_each(|column| met[column] = false);
         }
     }
 
@@ -205,6 +226,18 @@ impl Acting {
         }
         all
     }
+}
+
+/// With which places each of so many shares a block.
+fn partners(pairs: &[[usize; 2]], places: usize) -> Vec<Vec<Partner>> {
+    let mut all = vec![Vec::new(); places];
+    for (pair, &[a, b]) in pairs.iter().enumerate() {
+        all[a].push(Partner { place: b, pair, turned: false });
+        if a != b {
+            all[b].push(Partner { place: a, pair, turned: true });
+        }
+    }
+    all
 }
 
 fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {

@@ -29,7 +29,7 @@ pub trait Interaction: Any + Send {
     /// Particles on which it acts, a list for each system; it never changes.
     fn particles(&self) -> Vec<Vec<u32>>;
 
-    /// Pairs of places that share a block of its tangent, each once, and each place with itself; the same ones until
+    /// Pairs of places that share a block of its tangent, each once, and places with themselves; the same ones until
     /// [`Interaction::pairs_changed`] says otherwise.
     fn pairs(&self) -> Vec<[usize; 2]>;
 

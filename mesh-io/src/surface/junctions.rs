@@ -12,13 +12,13 @@ use super::sides::{Side, root, sides};
 /// Turn of an edge of two faces beyond which it may be a fold \[rad\], and within which two faces at an edge of more are one
 /// sheet: 30°. A fold of 30° with one normal costs a frame .2 % of its answer, one of 90° 4 %; a smooth surface taken for facets is
 /// wrong by factors.
-const FOLD: f64 = PI / 6.0;
+pub(super) const FOLD: f64 = PI / 6.0;
 
 /// Turn beyond which an edge is a fold whatever is beside it \[rad\]: 60°, six facets to a circle.
-const SHARP: f64 = PI / 3.0;
+pub(super) const SHARP: f64 = PI / 3.0;
 
 /// What the turn at an edge must be to the one across the next edges: half as much beside it is the facet of a curve.
-const FACET: f64 = 0.5;
+pub(super) const FACET: f64 = 0.5;
 
 /// Sheets that may meet at one place: more are nodes that were merged by mistake.
 const MOST_SHEETS: usize = 64;

@@ -1,9 +1,10 @@
-//! The same surface with faces cut into four, flat, all of them or some: what tells how far an answer depends on their size.
+//! The same surface with faces cut into four, all of them or some: what tells how far an answer depends on their size.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use sph_core::{Cell, Vec3};
 
+use super::curved::{bulges, edges};
 use super::{Arrays, Surface};
 
 /// A surface that was refined.
@@ -11,12 +12,13 @@ use super::{Arrays, Surface};
 pub struct Finer {
     /// The surface.
     pub arrays: Arrays,
-    /// Of each node that it has more, the nodes whose mean it is.
+    /// Of each node that it has more, the nodes in whose middle it is.
     pub parents: Vec<Vec<u32>>,
 }
 
 impl Surface {
-    /// The surface with a node in the middle of each edge and of each quadrangle. Nodes of a junction are one again; groups of faces keep their
+    /// The surface with a node in the middle of each edge and of each quadrangle, which lies on the surface through the nodes beside it, not on the
+    /// chord (curved.rs). Nodes of a junction are one again; groups of faces keep their
     /// faces, and groups of nodes take in the middle of an edge both ends of which are theirs, if it lies on the boundary or one of the ends
     /// does not. Normals, sections and materials of the file are not kept.
     pub fn refined(&self) -> Arrays {
@@ -27,10 +29,11 @@ impl Surface {
     /// triangle about its middle, a triangle into two; with two edges into two or three quadrangles, a triangle into one and a triangle;
     /// with more it is refined as well.
     pub fn refined_at(&self, marked: &[bool]) -> Finer {
-        let rings = self.rings();
+        let first = self.first_of_junctions();
+        let rings = self.rings(&first);
         let divided = divided(&rings, marked);
         let mut points: Vec<[f64; 3]> = self.positions.iter().map(|&x| x.into()).collect();
-        let mut new = Middles { first: points.len(), parents: Vec::new() };
+        let mut new = Middles { first: points.len(), parents: Vec::new(), bulges: bulges(self, &first) };
         let (mut faces, mut middles) = (Vec::new(), BTreeMap::new());
         let mut uses: BTreeMap<[u32; 2], usize> = BTreeMap::new();
         // The place of a face's own node, with its corners.
@@ -43,12 +46,12 @@ impl Surface {
                 middle.push(
                     divided
                         .contains(&edge)
-                        .then(|| *middles.entry(edge).or_insert_with(|| new.mean(&mut points, &edge))),
+                        .then(|| *middles.entry(edge).or_insert_with(|| new.middle(&mut points, &edge))),
                 );
             }
             let begin = faces.len() as u32;
             divide(ring, &middle, &mut faces, &mut || {
-                let node = new.mean(&mut points, ring);
+                let node = new.middle(&mut points, ring);
                 centres.push((node, ring.clone()));
                 node
             });
@@ -64,7 +67,6 @@ impl Surface {
             })
             .collect();
         let of_nodes = self.sets.iter().filter(|(name, _)| !face_sets.contains_key(*name));
-        let first = self.first_of_junctions();
         let sets = of_nodes.map(|(name, own)| {
             let members: BTreeSet<u32> = own.iter().map(|&node| first[node as usize]).collect();
             let holds = |node: &u32| members.contains(node);
@@ -90,21 +92,12 @@ impl Surface {
     }
 
     /// Corners of the faces, nodes of a junction one again.
-    fn rings(&self) -> Vec<Vec<u32>> {
-        let first = self.first_of_junctions();
+    fn rings(&self, first: &[u32]) -> Vec<Vec<u32>> {
         let ring = |cell: &Cell| {
             cell.corners[..usize::from(cell.count)].iter().map(|&node| first[node as usize]).collect()
         };
         self.faces.iter().map(ring).collect()
     }
-}
-
-/// The edges round a face, each with its lesser node first.
-fn edges(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
-    (0..ring.len()).map(|k| {
-        let (a, b) = (ring[k], ring[(k + 1) % ring.len()]);
-        [a.min(b), a.max(b)]
-    })
 }
 
 /// Edges that get a node: those of the faces that are marked, and of those beside them that have too many such edges to be divided otherwise.
@@ -162,17 +155,29 @@ fn divide(ring: &[u32], middle: &[Option<u32>], faces: &mut Vec<[u32; 4]>, centr
     }
 }
 
-/// Nodes that are means of others.
+/// Nodes in the middle of others.
 struct Middles {
     first: usize,
     parents: Vec<Vec<u32>>,
+    /// How far edges lie off their chords in the middle \[L\].
+    bulges: HashMap<[u32; 2], Vec3>,
 }
 
 impl Middles {
-    /// Adds the mean of some nodes; its number.
-    fn mean(&mut self, points: &mut Vec<[f64; 3]>, nodes: &[u32]) -> u32 {
+    /// Adds the middle of an edge or a face; its number. That of a face is where the surface through its edges is \[coons1967\]: the mean of its corners
+    /// and half of what its four edges bulge.
+    fn middle(&mut self, points: &mut Vec<[f64; 3]>, nodes: &[u32]) -> u32 {
         let sum: Vec3 = nodes.iter().map(|&node| Vec3::from(points[node as usize])).sum();
-        points.push((sum / nodes.len() as f64).into());
+        let bulge = match nodes {
+            &[a, b] => self.bulges.get(&[a, b]).copied(),
+            _ => edges(nodes)
+                .filter_map(|edge| self.bulges.get(&edge))
+                .copied()
+                .reduce(|a, b| a + b)
+                .map(|sum| 0.5 * sum),
+        };
+        let mean = sum / nodes.len() as f64;
+        points.push(bulge.map_or(mean, |bulge| mean + bulge).into());
         self.parents.push(nodes.to_vec());
         (self.first + self.parents.len() - 1) as u32
     }

@@ -18,8 +18,8 @@ impl Joinable for Solid {
         out.iter_mut().zip(nodes).for_each(|(out, &node)| *out = self.velocity(node as usize).into());
     }
 
-    fn mass(&self, node: u32) -> f64 {
-        self.masses[node as usize]
+    fn masses(&self, nodes: &[u32]) -> Vec<f64> {
+        nodes.iter().map(|&node| self.masses[node as usize]).collect()
     }
 
     fn release(&mut self) {

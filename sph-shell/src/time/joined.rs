@@ -21,8 +21,8 @@ impl Joinable for Shell {
     }
 
     /// Whatever moves with a particle, it does: an inertia of its own is a bound.
-    fn mass(&self, particle: u32) -> f64 {
-        self.reference.masses[particle as usize]
+    fn masses(&self, particles: &[u32]) -> Vec<f64> {
+        particles.iter().map(|&a| self.reference.masses[a as usize]).collect()
     }
 
     fn release(&mut self) {

@@ -24,7 +24,7 @@ const TOUCH: &str = "contact";
 const VIEW: &str = "viewer";
 
 /// Crates that join leaves into a model of a body; none sees another.
-const MODELS: &[&str] = &["sph-shell", "peridynamics", "fluid-sph", "sr-galerkin"];
+const MODELS: &[&str] = &["sph-shell", "peridynamics", "fluid-sph", "sr-galerkin", "rigid-body"];
 
 /// Crates above the models.
 const ABOVE: &[&str] = &["coque", "coque-python", "validation"];

@@ -46,7 +46,7 @@ pub(super) fn wet<'a>(
             let made = solid_made(scene, solid, threads, true)?.map(|solid| Box::new(solid) as _);
             Ok(Some(WettedBody { scene, made, area_density }))
         }
-        BodyScene::Fluid(_) | BodyScene::Walls(_) => Ok(None),
+        BodyScene::Fluid(_) | BodyScene::Walls(_) | BodyScene::Rigid(_) => Ok(None),
     }
 }
 

@@ -10,6 +10,6 @@ mod joined;
 mod parts;
 mod places;
 mod recovery;
-mod solid;
+pub(super) mod solid;
 mod warnings;
 mod widened;

@@ -46,6 +46,11 @@ impl<S: Parts> Body for Together<S> {
         }
     }
 
+    fn counts_turns(&self, particle: usize) -> bool {
+        let (body, own) = self.layout.place(particle);
+        self.system.each().get(body).is_some_and(|part| part.counts_turns(own))
+    }
+
     /// A column measures points of one body.
     fn point_numbers(&self, points: &[u32]) -> Vec<[f64; POINT_NUMBERS]> {
         let Some(&first) = points.first() else { return Vec::new() };

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use peridynamics::StaticSolid;
+use rigid_body::RestingBody;
 use sph_shell::StaticShell;
 
 use super::body::Together;
@@ -10,11 +11,13 @@ use super::contact::{Side, TouchingBodies};
 use super::joints::{BetweenBodies, SetsOfBodies};
 use super::layout::Layout;
 use super::parts::{Balanced, BalancedPart, Marched, MarchedPart};
-use super::touched::{contacts, side};
+use super::sides::{of_bonds, of_galerkin, of_shell};
+use super::touched::contacts;
 use crate::bodies::beside::{identity, judge_each, lines};
 use crate::bodies::body::Body;
 use crate::bodies::galerkin::build::galerkin_made;
 use crate::bodies::refusal::{not_a, refuse_modes};
+use crate::bodies::rigid_body::build::rigid_made;
 use crate::bodies::shell::build::shell_made;
 use crate::bodies::solid::build::solid_made;
 use crate::bodies::{BuiltBody, Description, Memory, Model, Probe, Ready};
@@ -150,29 +153,42 @@ fn described(
 /// Builds one of the bodies, with its surface where a contact names it.
 fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<(BuiltBody<Part>, Option<Side>), SceneError> {
     let marched = matches!(scene.analysis, Analysis::Explicit(_));
-    let part = match scene.body {
+    Ok(match scene.body {
         BodyScene::Shell(shell) => {
             let made = shell_made(&ShellInScene::new(scene, shell), threads, None)?;
-            let side = side(scene.scene, scene.name, &made.body)?;
+            let side = of_shell(scene, &made.body)?;
             let part = made.map(|shell| match marched {
                 true => Part::Marched(Box::new(shell)),
                 false => Part::Balanced(Box::new(StaticShell::new(shell))),
             });
-            return Ok((part, side));
+            (part, side)
         }
         BodyScene::Solid(solid) => match solid.galerkin() {
             Some(options) => {
                 let made = galerkin_made(scene, solid, options, threads)?;
-                made.map(|solid| Part::Balanced(Box::new(solid)))
+                let side = of_galerkin(scene, solid, &made.body);
+                (made.map(|solid| Part::Balanced(Box::new(solid))), side)
             }
-            None => solid_made(scene, solid, threads, false)?.map(|solid| match marched {
-                true => Part::Marched(Box::new(solid)),
-                false => Part::Balanced(Box::new(StaticSolid::new(solid))),
-            }),
+            None => {
+                let made = solid_made(scene, solid, threads, false)?;
+                let side = of_bonds(scene, solid, &made.body);
+                let part = made.map(|solid| match marched {
+                    true => Part::Marched(Box::new(solid)),
+                    false => Part::Balanced(Box::new(StaticSolid::new(solid))),
+                });
+                (part, side)
+            }
         },
+        BodyScene::Rigid(rigid) => {
+            let made = rigid_made(scene, rigid)?;
+            let part = made.map(|body| match marched {
+                true => Part::Marched(Box::new(body)),
+                false => Part::Balanced(Box::new(RestingBody::new(body))),
+            });
+            (part, None)
+        }
         BodyScene::Fluid(_) | BodyScene::Walls(_) => return Err(not_a(scene, "shell")),
-    };
-    Ok((part, None))
+    })
 }
 
 /// The columns in the order of the scene; `own` are those of each body.

@@ -1,14 +1,16 @@
-//! Two shells that may touch: from the scene's words to what acts between systems.
+//! Two bodies that may touch: from the scene's words to what acts between systems.
 
 use contact::{Law, Mesh, Moving, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
 use explicit_dynamics::{OutOfBounds, OutOfRange, Places};
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
+use super::skin::{Between, Skin};
+
 /// How much farther than they touch parts are listed, over the lesser spacing.
 const SKIN: f64 = 0.3;
 
-/// A shell as another touches it.
+/// A body as another touches it.
 #[derive(Clone)]
 pub(super) struct Side {
     /// Its name.
@@ -17,17 +19,19 @@ pub(super) struct Side {
     pub body: usize,
     /// Its surface.
     pub mesh: Mesh,
-    /// Its thickness \[L\].
+    /// Its thickness, of a solid twice the depth at which its surface lies below its faces \[L\].
     pub thickness: f64,
     /// Stiffness of contact with a rigid tool \[F/L³\].
     pub stiffness: f64,
     /// Mean distance of its particles \[L\].
     pub spacing: f64,
-    /// Where its particles are at rest \[L\].
+    /// Where the nodes of its surface are at rest \[L\].
     pub rest: Vec<Vec3>,
+    /// Between which particles each node of its surface lies; none where nodes are particles.
+    pub inside: Option<Vec<Between>>,
 }
 
-/// How two shells touch, as their scene says it.
+/// How two bodies touch, as their scene says it.
 #[derive(Clone, Copy)]
 pub(super) struct Manner {
     /// The law.
@@ -38,30 +42,28 @@ pub(super) struct Manner {
     pub edges: bool,
 }
 
-/// The contact of two shells, places being the particles of the first and then those of the second.
+/// The contact of two bodies, places being the particles of the first that carry its surface and then those of the second.
 #[derive(Clone)]
 pub(super) struct TouchingBodies {
     names: [String; 2],
     /// Particles of each body, those of others empty.
     pub(super) particles: Vec<Vec<u32>>,
-    /// Number of each particle of a side among its places; of those without a face none.
-    numbers: [Vec<u32>; 2],
-    /// Particle of each place, the side before it.
-    nodes: Vec<Node>,
-    /// Particles of both sides at rest \[L\].
+    /// How places carry both surfaces.
+    pub(super) skin: Skin,
+    /// Nodes of both surfaces at rest \[L\].
     rest: [Vec<Vec3>; 2],
     pub(super) contact: SurfaceContact,
     pub(super) touch: SurfaceTouch,
     pace: Option<Pace>,
     /// Whether the contact was looked at where it is evaluated next.
     looked: bool,
-    /// Pairs of places off the diagonal that share a block, ascending; those of this list.
+    /// Pairs of places that share a block, ascending; those of this list.
     pairs: Vec<[usize; 2]>,
     listed: u64,
 }
 
 impl TouchingBodies {
-    /// The contact of two shells of so many bodies: the first of them comes first, whichever the scene names first.
+    /// The contact of two of so many bodies: the first of the two comes first, whichever the scene names first.
     pub fn new(sides: [Side; 2], bodies: usize, manner: Manner) -> Self {
         let [a, b] = if sides[0].body < sides[1].body {
             sides
@@ -81,20 +83,10 @@ impl TouchingBodies {
             all.dedup();
             all
         };
-        let touched = [own(&a), own(&b)];
-        let mut first = 0;
-        let numbers = [0, 1].map(|side| {
-            let count = touched[side].last().map_or(0, |&last| last as usize + 1);
-            let mut numbers = vec![u32::MAX; count];
-            for (at, &particle) in touched[side].iter().enumerate() {
-                numbers[particle as usize] = (first + at) as u32;
-            }
-            first += touched[side].len();
-            numbers
-        });
-        let nodes = [0, 1].iter().flat_map(|&side| touched[side].iter().map(move |&a| (side, a))).collect();
+        let nodes = [own(&a), own(&b)];
+        let (skin, [of_a, of_b]) =
+            Skin::new([&nodes[0], &nodes[1]], [a.inside.as_deref(), b.inside.as_deref()]);
         let mut particles = vec![Vec::new(); bodies];
-        let [of_a, of_b] = touched;
         (particles[a.body], particles[b.body]) = (of_a, of_b);
         let touching = Touching {
             distance: 0.5 * (a.thickness + b.thickness),
@@ -107,19 +99,7 @@ impl TouchingBodies {
         let names = [a.name, b.name];
         let (touch, pairs) = (SurfaceTouch::default(), Vec::new());
         let rest = [a.rest, b.rest];
-        Self {
-            names,
-            particles,
-            numbers,
-            nodes,
-            rest,
-            contact,
-            touch,
-            pace: None,
-            looked: false,
-            pairs,
-            listed: 0,
-        }
+        Self { names, particles, skin, rest, contact, touch, pace: None, looked: false, pairs, listed: 0 }
     }
 
     /// A line for the summary.
@@ -146,19 +126,22 @@ impl TouchingBodies {
 
     /// Finds what touches at places.
     fn look(&mut self, places: &[[f64; 3]]) {
-        let numbers = &self.numbers;
-        self.touch = self.contact.look(|node| place(numbers, places, node));
+        let skin = &self.skin;
+        self.touch = self.contact.look(|node| skin.place(places, node));
     }
 
     /// Reads the pairs that share a block from the lists.
     fn read_pairs(&mut self) {
-        let Self { numbers, contact, pairs, .. } = self;
+        let Self { skin, contact, pairs, .. } = self;
         pairs.clear();
         contact.pattern(|a, b| {
-            let [a, b] = [a, b].map(|node| number(numbers, node));
-            if a < b {
-                pairs.push([a, b]);
-            }
+            skin.each(a, |a, _| {
+                skin.each(b, |b, _| {
+                    if a <= b {
+                        pairs.push([a, b]);
+                    }
+                });
+            });
         });
         pairs.sort_unstable();
         pairs.dedup();
@@ -170,20 +153,21 @@ impl TouchingBodies {
             self.look(places);
         }
         forces.fill([0.0; 3]);
-        let numbers = &self.numbers;
+        let skin = &self.skin;
         self.contact.forces(|node, force| {
-            let sum = &mut forces[number(numbers, node)];
-            (0..3).for_each(|k| sum[k] += force[k]);
+            skin.each(node, |a, weight| (0..3).for_each(|k| forces[a][k] += weight * force[k]));
         });
         self.touch.energy
     }
 
     /// Hands the second derivatives of the energy between places to `put`, at the places last evaluated.
     fn second(&self, places: &[[f64; 3]], mut put: impl FnMut(usize, usize, &Matrix3<f64>)) {
-        let numbers = &self.numbers;
+        let skin = &self.skin;
         self.contact.tangent(
-            |node| place(numbers, places, node),
-            |a, b, change| put(number(numbers, a), number(numbers, b), &-change),
+            |node| skin.place(places, node),
+            |a, b, change| {
+                skin.each(a, |a, own| skin.each(b, |b, other| put(a, b, &(change * -(own * other)))));
+            },
         );
     }
 }
@@ -217,7 +201,7 @@ impl explicit_dynamics::Interaction for TouchingBodies {
         self.look(now.at);
         self.looked = true;
         let mut pace = self.pace.take().unwrap_or_else(|| self.pace_of(now.masses));
-        let moving = MovingPlaces { numbers: &self.numbers, now };
+        let moving = MovingPlaces { skin: &self.skin, now };
         let step = pace.shortened((&self.contact, &self.touch), stable, safety, &moving);
         self.pace = Some(pace);
         step
@@ -258,7 +242,7 @@ impl implicit_statics::Interaction for TouchingBodies {
     }
 
     fn pairs(&self) -> Vec<[usize; 2]> {
-        (0..self.nodes.len()).map(|a| [a, a]).chain(self.pairs.iter().copied()).collect()
+        self.pairs.clone()
     }
 
     fn pairs_changed(&mut self, places: &[[f64; 3]]) -> bool {
@@ -271,8 +255,8 @@ impl implicit_statics::Interaction for TouchingBodies {
     }
 
     fn reach(&self, here: &[[f64; 3]], there: &[[f64; 3]]) -> f64 {
-        let numbers = &self.numbers;
-        self.contact.reach(|node| place(numbers, here, node), |node| place(numbers, there, node))
+        let skin = &self.skin;
+        self.contact.reach(|node| skin.place(here, node), |node| skin.place(there, node))
     }
 
     fn kept(&self) -> Vec<f64> {
@@ -292,11 +276,7 @@ impl implicit_statics::Interaction for TouchingBodies {
     fn stiffness(&self, at: &[[f64; 3]], blocks: &mut [[[f64; 3]; 3]]) {
         blocks.fill([[0.0; 3]; 3]);
         self.second(at, |a, b, change| {
-            let block = match a == b {
-                true => Some(a),
-                false => self.pairs.binary_search(&[a, b]).ok().map(|pair| self.nodes.len() + pair),
-            };
-            let Some(block) = block else { return };
+            let Ok(block) = self.pairs.binary_search(&[a, b]) else { return };
             for i in 0..3 {
                 (0..3).for_each(|j| blocks[block][i][j] += change[(i, j)]);
             }
@@ -314,24 +294,23 @@ impl TouchingBodies {
     }
 
     fn pace_of(&self, masses: &[f64]) -> Pace {
-        let numbers = &self.numbers;
-        Pace::new(&self.contact, |node| masses[number(numbers, node)])
+        Pace::new(&self.contact, |node| self.skin.mass(masses, node))
     }
 }
 
 /// Places that move.
 struct MovingPlaces<'a> {
-    numbers: &'a [Vec<u32>; 2],
+    skin: &'a Skin,
     now: &'a Places<'a>,
 }
 
 impl Moving for MovingPlaces<'_> {
     fn mass(&self, node: Node) -> f64 {
-        self.now.masses[number(self.numbers, node)]
+        self.skin.mass(self.now.masses, node)
     }
 
     fn velocity(&self, node: Node) -> Vec3 {
-        place(self.numbers, self.now.velocities, node)
+        self.skin.place(self.now.velocities, node)
     }
 
     fn greatest_speed(&self) -> f64 {
@@ -339,13 +318,4 @@ impl Moving for MovingPlaces<'_> {
         let mean = all().sum::<Vec3>() / self.now.velocities.len().max(1) as f64;
         all().map(|v| (v - mean).norm_squared()).fold(0.0, f64::max).sqrt()
     }
-}
-
-/// Number of a node among the places.
-fn number(numbers: &[Vec<u32>; 2], (side, a): Node) -> usize {
-    numbers[side][a as usize] as usize
-}
-
-fn place(numbers: &[Vec<u32>; 2], places: &[[f64; 3]], node: Node) -> Vec3 {
-    Vec3::from(places[number(numbers, node)])
 }

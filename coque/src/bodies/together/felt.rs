@@ -1,6 +1,8 @@
 //! What a contact between bodies does now, to be read.
 
-use contact::Felt;
+use std::collections::BTreeMap;
+
+use contact::{Felt, Node};
 use sph_core::Vec3;
 
 use super::contact::TouchingBodies;
@@ -13,15 +15,47 @@ impl TouchingBodies {
         std::array::from_fn(|_| own.next().unwrap_or_default())
     }
 
-    /// Adds what each particle of a body feels, where it is one of the two.
+    /// A place: its side, and its particle there.
+    fn particle(&self, place: usize) -> (usize, u32) {
+        let [first, second] = self.bodies().map(|body| &self.particles[body]);
+        match first.get(place) {
+            Some(&particle) => (0, particle),
+            None => (1, second[place - first.len()]),
+        }
+    }
+
+    /// Where a node is, all particles of both bodies being at places \[L\].
+    fn node_at(&self, at: &[Vec<Vec3>; 2], node: Node) -> Vec3 {
+        let mut sum = Vec3::zeros();
+        self.skin.each(node, |place, weight| {
+            let (side, particle) = self.particle(place);
+            sum += at[side][particle as usize] * weight;
+        });
+        sum
+    }
+
+    /// Adds what each particle of a body feels, where it is one of the two; what a node feels goes to the particles that carry it.
     pub fn felt(&self, body: usize, felt: &mut [Felt]) {
         let Some(side) = self.bodies().iter().position(|own| *own == body) else { return };
+        let count = self.skin.nodes(side).last().map_or(0, |(_, node)| node as usize + 1);
+        let mut of_nodes = vec![Felt::default(); count];
+        self.contact.felt(side, &mut of_nodes);
         let mut own = vec![Felt::default(); felt.len()];
-        self.contact.felt(side, &mut own);
+        for node in self.skin.nodes(side) {
+            let whole = of_nodes[node.1 as usize];
+            self.skin.each(node, |place, weight| {
+                let (_, particle) = self.particle(place);
+                let sum = &mut own[particle as usize];
+                let of = sum.of + weight * whole.of;
+                sum.join(&whole.share(weight));
+                sum.of = of;
+            });
+        }
         felt.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
     }
 
-    /// Gaps at some particles of a body, where it is one of the two, all particles of a body being at `places` \[L\].
+    /// Gaps at some particles of a body, where it is one of the two, all particles of a body being at `places` \[L\]; the least of those of
+    /// the nodes that a particle carries.
     pub fn gaps(
         &self,
         body: usize,
@@ -31,7 +65,19 @@ impl TouchingBodies {
         let bodies = self.bodies();
         let side = bodies.iter().position(|own| *own == body)?;
         let at = bodies.map(places);
-        Some(self.contact.gaps(side, particles, |(side, a)| at[side][a as usize]))
+        let asked: BTreeMap<u32, usize> = particles.iter().copied().zip(0..).collect();
+        let mut carried: Vec<(usize, u32)> = Vec::new();
+        for node in self.skin.nodes(side) {
+            self.skin.each(node, |place, _| {
+                let (_, particle) = self.particle(place);
+                carried.extend(asked.get(&particle).map(|&number| (number, node.1)));
+            });
+        }
+        let nodes: Vec<u32> = carried.iter().map(|(_, node)| *node).collect();
+        let found = self.contact.gaps(side, &nodes, |node| self.node_at(&at, node));
+        let mut gaps = vec![f64::INFINITY; particles.len()];
+        carried.iter().zip(found).for_each(|((number, _), gap)| gaps[*number] = gaps[*number].min(gap));
+        Some(gaps)
     }
 
     /// What it does now, all particles of a body being at `places` \[L\].
@@ -39,7 +85,7 @@ impl TouchingBodies {
         let bodies = self.bodies();
         let place = (self.touch.greatest_depth > ContactNow::DEEP).then(|| {
             let at = bodies.map(places);
-            Some(self.contact.deepest(|(side, a)| at[side][a as usize])?.places[0])
+            Some(self.contact.deepest(|node| self.node_at(&at, node))?.places[0])
         });
         ContactNow {
             body: bodies[0],

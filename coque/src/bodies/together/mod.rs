@@ -2,7 +2,8 @@
 //!
 //! Each keeps its own particles, conditions and files; they take the same steps or are balanced together. What they do to each other goes
 //! through one place: an `Interaction` of explicit-dynamics in marches, one of implicit-statics without time, which sees places of all and
-//! adds forces and, at rest, blocks of the tangent: springs between sets (`joints.rs`) and shells that touch (`contact.rs`, found by `touched.rs`).
+//! adds forces and, at rest, blocks of the tangent: springs between sets (`joints.rs`) and bodies that touch (`contact.rs`, found by `touched.rs`,
+//! whose surfaces `sides.rs` finds).
 
 mod balance;
 mod body;
@@ -13,4 +14,6 @@ mod joints;
 mod layout;
 mod march;
 mod parts;
+mod sides;
+mod skin;
 mod touched;

@@ -1,37 +1,17 @@
-//! The contacts of a scene of several bodies: which shells touch, and those that stand in each other at the start.
+//! The contacts of a scene of several bodies: which bodies touch, and those that stand in each other at the start.
 
 use contact::Law;
-use sph_shell::Shell;
 
 use super::contact::{Manner, Side, TouchingBodies};
 use super::layout::Layout;
-use crate::bodies::refusal::model_error;
 use crate::bodies::shell::tools::{ROUNDED, TOUCHING};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, Scene};
 
-/// The surface of a shell that others may touch; none of one that no contact names.
+/// All contacts of a scene, over the surfaces of those bodies that they name.
 ///
 /// # Errors
-/// [`SceneError`] for a shell without cells, with sections off its particles or with thicknesses that differ.
-pub(super) fn side(scene: &Scene, name: &str, shell: &Shell) -> Result<Option<Side>, SceneError> {
-    let named = |i: &usize| {
-        let between = scene.contact[*i].between.as_ref();
-        between.is_some_and(|between| between.iter().any(|other| other == name))
-    };
-    let Some(number) = (0..scene.contact.len()).find(named) else { return Ok(None) };
-    let path = format!("contact[{number}].between");
-    let refused = |error: sph_shell::ShellError| model_error(&scene.source, &path, &error.to_string());
-    let (mesh, thickness, stiffness) = shell.surface_touched().map_err(refused)?;
-    let cloud = &shell.reference().cloud;
-    let (spacing, rest) = (cloud.spacing(), cloud.positions.clone());
-    Ok(Some(Side { name: name.into(), body: 0, mesh, thickness, stiffness, spacing, rest }))
-}
-
-/// All contacts of a scene, over the surfaces of those shells that they name.
-///
-/// # Errors
-/// [`SceneError`] for shells that stand in each other at the start.
+/// [`SceneError`] for bodies that stand in each other at the start.
 pub(super) fn contacts(
     scene: &Scene,
     layout: &Layout,
@@ -57,15 +37,15 @@ pub(super) fn contacts(
     Ok(all)
 }
 
-/// Refuses shells that stand in each other before anything moves.
+/// Refuses bodies that stand in each other before anything moves.
 fn refuse_depth(scene: &Scene, number: usize, contact: &mut TouchingBodies) -> Result<(), SceneError> {
     let Some((depth, places)) = contact.depth_at_rest().filter(|(depth, _)| *depth > TOUCHING) else {
         return Ok(());
     };
     let [here, there] = places.map(|x| format!("[{:.4}, {:.4}, {:.4}]", x.x, x.y, x.z));
     let distance = contact.distance();
-    let value = format!("two shells with {here} and {there}, {:.4e} apart", (1.0 - depth) * distance);
-    let bound = format!("the mean of their thicknesses ({distance:.4e}) apart or more");
+    let value = format!("two bodies with {here} and {there}, {:.4e} apart", (1.0 - depth) * distance);
+    let bound = format!("apart by what makes their faces touch ({distance:.4e}) or more");
     let repair = "move them apart, or leave the contact out";
     Err(SceneError::Choice(scene.scope().fault(&format!("contact[{number}]"), &value, &bound, repair)))
 }

@@ -5,6 +5,7 @@ use sph_core::Vec3;
 
 use super::amplitude::check_amplitude;
 use super::fluid::{check_load_of_fluid, check_unsupported};
+use super::rigid::{check_rigid_load, check_rigid_support};
 use super::sets::{check_set_name, only_on};
 use super::solid::{check_face, check_solid_load, check_solid_support, check_traction};
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
@@ -26,6 +27,9 @@ pub(super) fn check_support(scene: &BodyInScene<'_>, support: &OnSet<'_, Support
     s.exactly_one(at, "condition", &given, &Support::WORDS)?;
     if let Some(solid) = scene.as_solid() {
         check_solid_support(scene, support, solid)?;
+    }
+    if scene.as_rigid().is_some() {
+        check_rigid_support(scene, support)?;
     }
     if support.amplitude.is_some() && support.motion().is_none() {
         let repair = "remove it: only `moved`, `rotated` and `turned` have a course in time";
@@ -159,6 +163,9 @@ pub(super) fn check_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Ver
     check_load_of_fluid(scene, load)?;
     if let Some(solid) = scene.as_solid() {
         check_solid_load(scene, load, solid)?;
+    }
+    if scene.as_rigid().is_some() {
+        check_rigid_load(scene, load)?;
     }
     for (word, kind) in kinds {
         match &kind {

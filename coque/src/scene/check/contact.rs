@@ -3,8 +3,9 @@
 use crate::scene::contact::ContactScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::{BodyScene, Scene};
+use crate::scene::solid::SolidScene;
 
-/// Refuses contacts of bodies that are no shells, pairs that are named twice, and analyses that know none.
+/// Refuses contacts of bodies without a surface, pairs that are named twice, and analyses that know none.
 pub(super) fn check_contact(scene: &Scene) -> Verdict {
     if scene.contact.is_empty() {
         return Ok(());
@@ -44,7 +45,7 @@ fn check_itself(scene: &Scene, number: usize) -> Verdict {
     Ok(())
 }
 
-/// Two shells of a scene without a fluid, each pair once.
+/// Two bodies of a scene without a fluid, each pair once.
 fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     let path = format!("contact[{number}].between");
     let named = format!("\"{}\" and \"{}\"", between[0], between[1]);
@@ -53,13 +54,22 @@ fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
         return refuse(scene, &path, &named, "of a scene without a fluid", repair);
     }
     for name in between {
-        if matches!(scene.bodies.get(name), Some(BodyScene::Shell(_))) {
-            continue;
-        }
-        let shells = scene.bodies.iter().filter(|(_, body)| matches!(body, BodyScene::Shell(_)));
-        let shells = shells.map(|(name, _)| name.as_str()).collect::<Vec<_>>();
-        let repair = format!("name two of the shells {}", shells.join(", "));
-        return refuse(scene, &path, &format!("\"{name}\""), "a shell of the scene", &repair);
+        let bound = match scene.bodies.get(name) {
+            Some(BodyScene::Shell(_)) => continue,
+            Some(BodyScene::Solid(solid)) => match without_surface(solid) {
+                None => continue,
+                Some(bound) => bound,
+            },
+            _ => "a shell or a solid of the scene",
+        };
+        let touch = |body: &BodyScene| match body {
+            BodyScene::Shell(_) => true,
+            BodyScene::Solid(solid) => without_surface(solid).is_none(),
+            _ => false,
+        };
+        let known = scene.bodies.iter().filter(|(_, body)| touch(body)).map(|(name, _)| name.as_str());
+        let repair = format!("name two of {}", known.collect::<Vec<_>>().join(", "));
+        return refuse(scene, &path, &format!("\"{name}\""), bound, &repair);
     }
     if between[0] == between[1] {
         let bound = "two bodies: one touches itself where it is alone, by [[contact]] without `between`";
@@ -73,6 +83,20 @@ fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
         return refuse(scene, &path, &named, &bound, "remove one of them");
     }
     Ok(())
+}
+
+/// Why a solid has no surface that others touch.
+fn without_surface(solid: &SolidScene) -> Option<&'static str> {
+    let bonds = solid.galerkin().is_none();
+    if solid.is_plane() {
+        Some("a body in space: a plane one has no faces that others touch")
+    } else if solid.has_directors() {
+        Some("a shell, or a solid with layers of nodes: two sheets have none")
+    } else if bonds && solid.lattice().grading != [1.0; 3] {
+        Some("a solid of bonds on an even lattice, whose nodes are balls of one radius")
+    } else {
+        None
+    }
 }
 
 fn refuse(scene: &Scene, path: &str, value: &str, bound: &str, repair: &str) -> Verdict {

@@ -42,6 +42,7 @@ fn check_measured(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
             BodyScene::Shell(_) => "a shell has",
             BodyScene::Solid(_) => "a solid has",
             BodyScene::Fluid(_) => "a fluid has",
+            BodyScene::Rigid(_) => "a rigid body has",
         };
         let bound = format!("what {body}: {}", known.join(", "));
         return refuse("of", &format!("\"{word}\""), &bound, "measure one of these");
@@ -153,11 +154,17 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
         BodyScene::Walls(_) => {
             return vec![Displacement, Position, Pressure, Level, WetLength, Force, Moment];
         }
+        BodyScene::Rigid(_) => {
+            let mut known = vec![Displacement, Position, Velocity, Rotation, Reaction, ReactionMoment];
+            known.extend(scene.is_touched().then_some(ContactForce));
+            return known;
+        }
         BodyScene::Shell(_) | BodyScene::Solid(_) => {}
     }
     let solid = scene.as_solid();
     if solid.is_some_and(|solid| solid.galerkin().is_some()) {
-        return vec![Displacement, Position, Reaction];
+        let touching = scene.may_touch().then_some(ContactForce);
+        return [Displacement, Position, Reaction].into_iter().chain(touching).collect();
     }
     let mut known = vec![Displacement, Position, Reaction, Velocity];
     if solid.is_none_or(SolidScene::has_directors) {
@@ -184,6 +191,9 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
         check_column_name(s, &probe.at("name"), &probe.name, &mut names)?;
         check_set_name(scene, &probe.at("on"), probe.on)?;
         check_measured(scene, probe)?;
+        if scene.as_rigid().is_some() && matches!(probe.of, Measured::Reaction | Measured::ReactionMoment) {
+            only_on(scene, probe, "supports hold all of a rigid body", &["all"])?;
+        }
         if probe.of == Measured::Pieces {
             let why = "pieces are counted of the whole body";
             only_on(scene, probe, why, &["all"])?;

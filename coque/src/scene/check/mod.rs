@@ -9,6 +9,7 @@ mod fluid;
 mod gauges;
 mod imperfection;
 mod preload;
+mod rigid;
 mod sets;
 mod several;
 mod shell;
@@ -22,6 +23,7 @@ use self::curve::check_curve;
 use self::fluid::check_velocity_of_fluid;
 use self::imperfection::check_imperfection;
 use self::preload::check_preload;
+use self::rigid::check_rigid;
 use self::sets::{check_set_name, check_sets};
 use self::shell::{check_parts, check_tools, check_wetting};
 use self::solid::check_solid;
@@ -73,6 +75,9 @@ fn check_alone(scene: &BodyInScene<'_>) -> Verdict {
     if let Some(solid) = scene.as_solid() {
         check_solid(scene, solid)?;
     }
+    if scene.as_rigid().is_some() {
+        check_rigid(scene)?;
+    }
     check_preload(scene)?;
     check_analysis(scene)?;
     check_curve(scene)
@@ -114,6 +119,7 @@ fn check_body(scene: &BodyInScene<'_>) -> Verdict {
             check_velocity_of_fluid(fluid, s)?;
         }
         BodyScene::Walls(walls) => walls.check(scene, s)?,
+        BodyScene::Rigid(rigid) => rigid.check(s)?,
     }
     check_imperfection(scene, s)?;
     body.velocity().map_or(Ok(()), |velocity| check_velocity(scene, velocity, s))

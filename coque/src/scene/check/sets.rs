@@ -3,7 +3,7 @@
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::BodyScene;
-use crate::scene::sets::{BUILT_IN, EDGES, OF_FLUIDS, OF_SOLIDS, OF_WALLS, Region};
+use crate::scene::sets::{BUILT_IN, EDGES, OF_FLUIDS, OF_RIGID_BODIES, OF_SOLIDS, OF_WALLS, Region};
 use crate::scene::source::suggest;
 use crate::scene::walls::WallGeometry;
 
@@ -68,6 +68,7 @@ pub(super) fn built_in(body: &BodyScene) -> &'static [&'static str] {
         BodyScene::Solid(solid) if solid.is_plane() => &OF_SOLIDS[..5],
         BodyScene::Solid(_) => &OF_SOLIDS,
         BodyScene::Fluid(_) => &OF_FLUIDS,
+        BodyScene::Rigid(_) => &OF_RIGID_BODIES,
         BodyScene::Walls(walls) => match &walls.geometry {
             WallGeometry::Basin(basin) => &OF_WALLS[..=2 * basin.min.len()],
             _ => &OF_WALLS[..1],

@@ -30,7 +30,10 @@ pub(super) fn check_kinds(scene: &Scene) -> Verdict {
         return Err(SceneError::Choice(s.fault(&path, &value, "the only fluid", repair)));
     }
     if fluid.is_some() {
-        return Ok(());
+        let rigid = scene.bodies.iter().find(|(_, body)| matches!(body, BodyScene::Rigid(_)));
+        let Some((name, _)) = rigid else { return Ok(()) };
+        let (bound, repair) = ("none beside a fluid", "use a stiff shell, or walls with a motion");
+        return Err(SceneError::Choice(s.fault(&format!("bodies.{name}"), "a rigid body", bound, repair)));
     }
     let walls = scene.bodies.iter().find(|(_, body)| matches!(body, BodyScene::Walls(_)));
     let Some((name, _)) = walls else { return Ok(()) };
@@ -133,7 +136,7 @@ fn check_dimensions(scene: &Scene) -> Verdict {
                 (walls.geometry.dimensions(), format!("geometry.{}", walls.geometry.word()))
             }
             BodyScene::Solid(solid) => (solid.dimensions(), "geometry.block.lengths".into()),
-            BodyScene::Fluid(_) | BodyScene::Shell(_) => continue,
+            BodyScene::Fluid(_) | BodyScene::Shell(_) | BodyScene::Rigid(_) => continue,
         };
         if own != dimensions {
             let bound = format!("{dimensions}, as `{fluid}` has");

@@ -25,7 +25,7 @@ pub(in crate::scene::check) fn check_unsupported(scene: &BodyInScene<'_>, at: &s
     let (what, repair) = match scene.body {
         BodyScene::Fluid(_) => ("a fluid", "bound it by walls, as in [bodies.tank.walls]"),
         BodyScene::Walls(_) => ("walls", "walls stand of themselves, or move by `motion`"),
-        BodyScene::Shell(_) | BodyScene::Solid(_) => return Ok(()),
+        BodyScene::Shell(_) | BodyScene::Solid(_) | BodyScene::Rigid(_) => return Ok(()),
     };
     let value = format!("a support of {what}");
     let fault = scene.scope().fault(at, &value, "one of a shell or a solid", repair);
@@ -47,7 +47,7 @@ pub(in crate::scene::check) fn check_load_of_fluid(
             let fault = s.fault(at, "a load on walls", "one of a fluid, a shell or a solid", repair);
             return Err(SceneError::Choice(fault));
         }
-        BodyScene::Shell(_) | BodyScene::Solid(_) => return Ok(()),
+        BodyScene::Shell(_) | BodyScene::Solid(_) | BodyScene::Rigid(_) => return Ok(()),
     };
     let Some(gravity) = load.gravity else {
         let repair = "only gravity acts on a fluid; walls and structures do the rest";

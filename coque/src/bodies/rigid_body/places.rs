@@ -1,0 +1,79 @@
+//! The surface of a rigid body, and its named sets.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use mesh_io::surface::{MeshError, read};
+use rigid_body::{Outline, ball, cuboid};
+use sph_core::Vec3;
+
+use crate::bodies::Identity;
+use crate::bodies::sets::{empty, inside};
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::error::SceneError;
+use crate::scene::{Mesh, RigidGeometry};
+
+/// The surface that a scene gives, and the file that it was read from.
+pub(super) fn outline(
+    scene: &BodyInScene<'_>,
+    geometry: &RigidGeometry,
+) -> Result<(Outline, Identity), SceneError> {
+    match geometry {
+        RigidGeometry::Ball(own) => {
+            Ok((ball(own.centre, own.radius.get(), own.spacing.get()), Identity::default()))
+        }
+        RigidGeometry::Box(own) => Ok((cuboid(own.min, own.max, own.spacing.get()), Identity::default())),
+        RigidGeometry::Mesh(mesh) => from_file(scene, mesh),
+    }
+}
+
+fn from_file(scene: &BodyInScene<'_>, mesh: &Mesh) -> Result<(Outline, Identity), SceneError> {
+    let Mesh { file, scale, flip } = mesh;
+    let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
+    let surface = match scene.scene.surfaces.get(file) {
+        Some(arrays) => arrays.surface(file, false),
+        None => read(&folder.join(file)),
+    };
+    let surface = surface.map_err(|error| refused(scene, &error))?.scaled(scale.get());
+    let surface = if *flip { surface.flipped() } else { surface };
+    let identity = Identity { file: Some(surface.file.clone()), checksum: Some(surface.checksum) };
+    Ok((Outline { vertices: surface.positions, cells: surface.faces }, identity))
+}
+
+fn refused(scene: &BodyInScene<'_>, error: &MeshError) -> SceneError {
+    let mut said = error.clone();
+    let repair = std::mem::take(&mut said.repair);
+    let value = said.to_string();
+    let value = value.trim_end_matches([';', ' ']);
+    SceneError::Mesh(scene.body_scope().fault("geometry.mesh.file", value, "a sound surface", &repair))
+}
+
+/// The sets of a rigid body by name: the body itself at its centre, and vertices that regions pick.
+///
+/// # Errors
+/// [`SceneError::Set`] for a region without vertices.
+pub(super) fn sets(
+    scene: &BodyInScene<'_>,
+    rest: &[Vec3],
+    spacing: f64,
+) -> Result<BTreeMap<String, Vec<u32>>, SceneError> {
+    let centre = rest.len() as u32 - 1;
+    let vertices = &rest[..centre as usize];
+    let mut all = BTreeMap::from([("all".to_string(), vec![centre])]);
+    for (name, region) in &scene.sets {
+        let members = inside(region, vertices, spacing);
+        if members.is_empty() {
+            return Err(empty(scene, name, vertices));
+        }
+        all.insert((*name).into(), members);
+    }
+    Ok(all)
+}
+
+/// Mean length of the edges of a surface \[L\].
+pub(super) fn spacing(outline: &Outline) -> f64 {
+    let ends = outline.cells.iter().flat_map(|cell| cell.edges());
+    let lengths: Vec<f64> =
+        ends.map(|(a, b)| (outline.vertices[b as usize] - outline.vertices[a as usize]).norm()).collect();
+    lengths.iter().sum::<f64>() / lengths.len().max(1) as f64
+}

@@ -1,0 +1,166 @@
+//! The surface of a body as others touch it: of a shell its cells, of a solid of bonds its nodes, of a Galerkin solid what lies just inside its faces.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use contact::{Mesh, stiffness};
+use peridynamics::Solid;
+use sph_core::Vec3;
+use sph_shell::Shell;
+
+use super::contact::Side;
+use super::skin::Between;
+use crate::bodies::body::Body;
+use crate::bodies::galerkin::solid::GalerkinSolid;
+use crate::bodies::refusal::model_error;
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::error::SceneError;
+use crate::scene::{Scene, SolidMaterial, SolidScene};
+
+/// Depth of the surface of a Galerkin solid below its faces, over the least edge of its cells there: so thin that what it leaves out of the
+/// strained body, whose place the stiffness of contact takes, does not show, and a depth that Newton's method can find.
+const BELOW: f64 = 0.1;
+
+/// The contact that names a body first, by number.
+fn named(scene: &Scene, name: &str) -> Option<usize> {
+    let names = |number: &usize| {
+        let between = scene.contact[*number].between.as_ref();
+        between.is_some_and(|between| between.iter().any(|other| other == name))
+    };
+    (0..scene.contact.len()).find(names)
+}
+
+/// The surface of a shell; none of one that no contact names.
+///
+/// # Errors
+/// [`SceneError`] for a shell without cells, with sections off its particles or with thicknesses that differ.
+pub(super) fn of_shell(scene: &BodyInScene<'_>, shell: &Shell) -> Result<Option<Side>, SceneError> {
+    let Some(number) = named(scene.scene, scene.name) else { return Ok(None) };
+    let path = format!("contact[{number}].between");
+    let refused = |error: sph_shell::ShellError| model_error(scene.source, &path, &error.to_string());
+    let (mesh, thickness, stiffness) = shell.surface_touched().map_err(refused)?;
+    let cloud = &shell.reference().cloud;
+    let (spacing, rest) = (cloud.spacing(), cloud.positions.clone());
+    Ok(Some(Side {
+        name: scene.name.into(),
+        body: 0,
+        mesh,
+        thickness,
+        stiffness,
+        spacing,
+        rest,
+        inside: None,
+    }))
+}
+
+/// All nodes of a solid of bonds as balls of half the least spacing: the outermost lie so far inside the faces, and a fragment keeps its own. The
+/// area of each is its volume over its diameter; a layer of nodes is as stiff against a tool as a sheet of their spacing.
+pub(super) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid) -> Option<Side> {
+    named(scene.scene, scene.name)?;
+    let block = solid.block();
+    let spacing = block.spacing.iter().copied().fold(f64::INFINITY, f64::min);
+    let points: Vec<(u32, f64)> = (0..).zip(block.volumes.iter().map(|volume| volume / spacing)).collect();
+    Some(Side {
+        name: scene.name.into(),
+        body: 0,
+        mesh: Mesh::points(&points, 0.5 * spacing),
+        thickness: spacing,
+        stiffness: stiffness(young(body), spacing, spacing),
+        spacing,
+        rest: block.positions.clone(),
+        inside: None,
+    })
+}
+
+/// The faces of a Galerkin solid, moved inward by a tenth of the least edge that leads in from them: places between a node of a face and the next
+/// ones behind it. What is left out is as stiff as the contact of its thickness, `κ = E/r`.
+pub(super) fn of_galerkin(scene: &BodyInScene<'_>, body: &SolidScene, solid: &GalerkinSolid) -> Option<Side> {
+    named(scene.scene, scene.name)?;
+    let (nodes, cells) = (solid.galerkin().rest(), solid.configuration().cells);
+    let behind = behind(solid.hexahedra());
+    let length = |a: u32, b: u32| (nodes[a as usize] - nodes[b as usize]).norm();
+    let edges = behind.iter().flat_map(|(&a, next)| next.iter().map(move |&b| length(a, b)));
+    let spacing = edges.fold(f64::INFINITY, f64::min);
+    let depth = BELOW * spacing;
+    let mut inside: Vec<Between> = vec![Vec::new(); nodes.len()];
+    let mut rest: Vec<Vec3> = nodes.to_vec();
+    for (&a, next) in &behind {
+        let own: Between = next.iter().map(|&b| (b, depth / length(a, b))).collect();
+        let left = 1.0 - own.iter().map(|(_, weight)| weight).sum::<f64>();
+        let all = std::iter::once((a, left)).chain(own);
+        inside[a as usize] = all.collect();
+        rest[a as usize] = inside[a as usize].iter().map(|&(b, weight)| nodes[b as usize] * weight).sum();
+    }
+    Some(Side {
+        name: scene.name.into(),
+        body: 0,
+        mesh: Mesh::new(cells, nodes, |_| depth),
+        thickness: 2.0 * depth,
+        stiffness: young(body) / depth,
+        spacing,
+        rest,
+        inside: Some(inside),
+    })
+}
+
+/// Young's modulus \[F/L²\], of an orthotropic solid the least.
+fn young(body: &SolidScene) -> f64 {
+    match &body.material {
+        SolidMaterial::Elastic(elastic) => elastic.young.get(),
+        SolidMaterial::Orthotropic(own) => {
+            own.young.iter().map(|young| young.get()).fold(f64::INFINITY, f64::min)
+        }
+    }
+}
+
+/// Faces of a hexahedron by its corners, and the corner behind each.
+const FACES: [([usize; 4], [usize; 4]); 6] = [
+    ([0, 1, 2, 3], [4, 5, 6, 7]),
+    ([4, 5, 6, 7], [0, 1, 2, 3]),
+    ([0, 1, 5, 4], [3, 2, 6, 7]),
+    ([3, 2, 6, 7], [0, 1, 5, 4]),
+    ([0, 3, 7, 4], [1, 2, 6, 5]),
+    ([1, 2, 6, 5], [0, 3, 7, 4]),
+];
+
+/// Of each node on the outside, those to which edges lead in from the faces at it, ascending.
+fn behind(cells: &[[u32; 8]]) -> BTreeMap<u32, BTreeSet<u32>> {
+    let face = |cell: &[u32; 8], corners: &[usize; 4]| {
+        let mut nodes = corners.map(|corner| cell[corner]);
+        nodes.sort_unstable();
+        nodes
+    };
+    let mut count: BTreeMap<[u32; 4], u8> = BTreeMap::new();
+    for cell in cells {
+        FACES.iter().for_each(|(corners, _)| *count.entry(face(cell, corners)).or_default() += 1);
+    }
+    let mut all: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
+    for cell in cells {
+        for (corners, next) in FACES.iter().filter(|(corners, _)| count[&face(cell, corners)] == 1) {
+            for (&a, &b) in corners.iter().zip(next) {
+                all.entry(cell[a]).or_default().insert(cell[b]);
+            }
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::behind;
+
+    /// Two cubes in a row along the first axis: x, then y, then z fastest.
+    #[test]
+    fn edges_lead_in_from_every_face_at_a_node() {
+        let cell = |i: u32| {
+            let at = |a: u32, b: u32, c: u32| 4 * (i + a) + 2 * b + c;
+            let ring = |c| [at(0, 0, c), at(1, 0, c), at(1, 1, c), at(0, 1, c)];
+            let ([a, b, c, d], [e, f, g, h]) = (ring(0), ring(1));
+            [a, b, c, d, e, f, g, h]
+        };
+        let behind = behind(&[cell(0), cell(1)]);
+        let of = |node: u32| behind[&node].iter().copied().collect::<Vec<_>>();
+        // A corner: along x, y and z. A node between both cubes: not along x.
+        assert_eq!((of(0), of(4)), (vec![1, 2, 4], vec![5, 6]));
+        assert_eq!(behind.len(), 12);
+    }
+}

@@ -1,0 +1,89 @@
+//! A rigid body in a scene: its surface, its mass, how it sets out.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::per_axis::PerAxis;
+use super::shell::mesh::Mesh;
+use super::velocity::Velocity;
+use crate::scene::bounded::Positive;
+
+/// A rigid body with a closed surface, which moves in six ways. Exactly one of `density` and `mass` is given.
+///
+/// The set `all` is the body itself, at its centre of mass: supports hold and move it there, a force acts there, a couple turns it, a column
+/// measures its motion. Regions pick vertices of its surface, on which forces act and to which springs go.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RigidScene {
+    /// Its surface.
+    pub geometry: RigidGeometry,
+    /// Density of what the surface encloses; mass, centre and inertia are those of the faces, exactly \[F T²/L⁴\].
+    pub density: Option<Positive>,
+    /// Mass, spread evenly over what the surface encloses \[F T²/L\].
+    pub mass: Option<Positive>,
+    /// Moments of inertia about the centre, along x, y and z or one for all, beside `mass`; left out, those of an even spread \[F T² L\].
+    pub inertia: Option<PerAxis>,
+    /// Off-diagonal terms xy, yz, zx of the same tensor, `−∫xy dm` and so on, beside `inertia` \[F T² L\].
+    pub products: Option<[f64; 3]>,
+    /// Velocity at the start, in transient runs.
+    pub velocity: Option<Velocity>,
+}
+
+/// Closed surfaces of rigid bodies.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum RigidGeometry {
+    /// A ball of triangles, vertices on the ball.
+    Ball(RigidBall),
+    /// A box along the axes.
+    Box(RigidBox),
+    /// A closed surface from a file, with faces that look outwards.
+    Mesh(Mesh),
+}
+
+/// A ball.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RigidBall {
+    /// Its centre \[L\].
+    pub centre: [f64; 3],
+    /// Its radius \[L\].
+    pub radius: Positive,
+    /// About the distance between vertices \[L\].
+    pub spacing: Positive,
+}
+
+/// A box along the axes.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RigidBox {
+    /// Least coordinates \[L\].
+    pub min: [f64; 3],
+    /// Greatest coordinates \[L\].
+    pub max: [f64; 3],
+    /// About the distance between vertices \[L\].
+    pub spacing: Positive,
+}
+
+impl RigidGeometry {
+    /// Its key.
+    pub(crate) fn word(&self) -> &'static str {
+        match self {
+            Self::Ball(_) => "ball",
+            Self::Box(_) => "box",
+            Self::Mesh(_) => "mesh",
+        }
+    }
+
+    /// About the number of vertices that it asks for; none before a mesh is read.
+    pub(crate) fn particles(&self) -> f64 {
+        match self {
+            Self::Ball(ball) => 2.0 + 11.1 * (ball.radius.get() / ball.spacing.get()).powi(2),
+            Self::Box(own) => {
+                let edge = |k: usize| (own.max[k] - own.min[k]) / own.spacing.get();
+                2.0 + 2.0 * (edge(0) * edge(1) + edge(1) * edge(2) + edge(2) * edge(0))
+            }
+            Self::Mesh(_) => 0.0,
+        }
+    }
+}
