@@ -73,7 +73,7 @@
 //! | edges that cross between vertices | `edges.rs` |
 //! | two surfaces, or one with itself; forces, tangent, bounds of them | `surfaces.rs`; `surfaces/acting.rs` |
 //! | κ | `stiffness.rs` |
-//! | what nodes feel of contact, to be read; gaps | `felt.rs` |
+//! | what nodes feel of contact, to be read; gaps | `nodal.rs` |
 //! | bodies that are too near although nothing acts between them | `unseen.rs` |
 //! | friction, its anchors, what it loses | `friction.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
@@ -98,13 +98,13 @@
 
 mod edges;
 mod euler;
-mod felt;
 mod friction;
 mod joints;
 mod law;
 mod list;
 mod mesh;
 mod nearest;
+mod nodal;
 mod pace;
 mod pair;
 mod pose;
@@ -116,11 +116,11 @@ mod touch;
 mod unseen;
 mod watch;
 
-pub use felt::{Felt, Grip};
 pub use friction::Friction;
 pub use joints::{Joint, Joints};
 pub use law::Law;
 pub use mesh::Mesh;
+pub use nodal::{Grip, NodalContact};
 pub use pace::{Moving, Pace};
 pub use pair::Pair;
 pub use pose::Pose;

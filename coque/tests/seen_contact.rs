@@ -84,7 +84,7 @@ fn a_march_tells_what_is_in_each_other_where_it_ends() {
     );
 }
 
-/// A plate on a plane, pressed on it evenly; it touches it at the start, by a hundredth of a micrometre.
+/// A plate on a plane, pressed on it evenly, on springs that bear nothing to speak of; it touches it at the start, by a hundredth of a micrometre.
 const LYING: &str = r#"
 title = "A plate pressed on a plane"
 units = { length = "m", force = "N", time = "s" }
@@ -92,7 +92,8 @@ geometry.plate = { lengths = [1.0, 2.0], particles = [6, 11] }
 material.elastic = { young = 1e7, poisson = 0.3, density = 1000.0 }
 section.homogeneous.thickness = 0.05
 tools = [{ name = "floor", plane = { point = [0, 0, -0.02499999], normal = [0, 0, 1] } }]
-supports = [{ on = "all", held = { displacement = [[1, 0, 0], [0, 1, 0]] } }]
+supports = [{ on = "all", held = { displacement = [[1, 0, 0], [0, 1, 0]] } },
+            { on = "all", spring = { stiffness = 1.0, direction = [0, 0, 1] } }]
 loads = [{ on = "all", force = { total = [0, 0, -300.0] } }]
 analysis.static = { levels = 2 }
 output.fields.contact = true
@@ -145,6 +146,7 @@ fn fields_tell_what_sticks_from_what_slips() {
         let rough = ("tools[0].friction", "0.3");
         let load = format!("[{{ on = 'all', force = {{ total = [{force}, 0, -300.0] }} }}]");
         let rope = "[{ on = 'all', spring = { stiffness = 1e3, direction = [1, 0, 0] } }, \
+                    { on = 'all', spring = { stiffness = 1.0, direction = [0, 0, 1] } }, \
                     { on = 'all', held = { displacement = [[0, 1, 0]] } }]";
         let replaced = [rough, ("loads", load.as_str()), ("supports", rope), ("analysis.static.levels", "4")];
         let model = overridden(LYING, "lying.toml", &replaced).unwrap().build(1).unwrap();
@@ -165,7 +167,7 @@ fn fields_tell_what_sticks_from_what_slips() {
 }
 
 /// The gap of a ring that collapses, at the ends of its middle line, is straight across: twice how far they are from the middle, less
-/// the thickness.
+/// the thickness; beyond half of that it is not looked for.
 #[test]
 fn the_gap_of_a_shell_to_itself_is_straight_across() {
     let curve = "[{ name = 'b', of = 'position', on = 'u0', direction = [0, 0, 1] }, \
@@ -177,12 +179,12 @@ fn the_gap_of_a_shell_to_itself_is_straight_across() {
     let outcome = outcome(&text("ring-in-itself.toml"), &[&replaced]);
     let [b, gap, depth, area] = ["b", "gap", "depth", "area"].map(|name| column(&outcome, name));
     for i in 0..b.len() {
-        let exact = (2.0 * b[i].abs() - 0.05).min(0.5);
+        let exact = (2.0 * b[i].abs() - 0.05).min(0.025);
         assert!((gap[i] - exact).abs() < 1e-6, "{} for {exact}", gap[i]);
         // Middles of the cells beside may be deeper than the particles.
         assert!(depth[i] >= -gap[i] / 0.05 - 1e-12 && (depth[i] > 0.0) == (area[i] > 0.0));
     }
-    assert!(gap[0] == 0.5 && *gap.last().unwrap() < 0.0 && *area.last().unwrap() > 0.0);
+    assert!((gap[0] - 0.025).abs() < 1e-12 && *gap.last().unwrap() < 0.0 && *area.last().unwrap() > 0.0);
     let contact = &outcome.summary.record.contacts[0];
     assert_eq!(contact.between, "the shell with itself");
     assert!(
@@ -208,7 +210,6 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     let flew = outcome(THROWN, &[&fast]);
     let record = &flew.summary.record;
     let contact = &record.contacts[0];
-    println!("{contact:?}\n{:?}\n{:?}", record.shortened, record.warnings);
     let deepest = |name: &str| column(&flew, name).into_iter().fold(0.0, f64::max);
     assert_eq!(contact.greatest_depth, deepest("depth").max(deepest("other")));
     let said = reported(&flew, WarningKind::DeepContact).unwrap();

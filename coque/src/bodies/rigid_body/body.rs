@@ -8,7 +8,7 @@ use sph_core::Vec3;
 
 use super::fields::fields;
 use crate::bodies::body::{Body, Configuration, DynamicBody, Mismatch, StateArray, StaticBody, extent};
-use crate::bodies::{FieldRequest, FieldSource};
+use crate::bodies::{FieldRequest, FieldSource, Outline};
 use crate::scene::Measured;
 
 impl Body for RigidBody {
@@ -42,6 +42,11 @@ impl Body for RigidBody {
         fields(self, shown)
     }
 
+    /// Its surface.
+    fn outlines(&self) -> Vec<Outline> {
+        vec![Outline::of_cells(self.rest().len(), self.cells().to_vec(), 0.0, false)]
+    }
+
     fn state(&self) -> Vec<StateArray<'_>> {
         let numbers = Cow::Owned(RigidBody::state(self));
         vec![StateArray { name: "place, turn and motion".into(), numbers }]
@@ -70,6 +75,10 @@ impl Body for RestingBody {
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self.body(), shown)
+    }
+
+    fn outlines(&self) -> Vec<Outline> {
+        self.body().outlines()
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
