@@ -31,7 +31,7 @@ fn reported(outcome: &Outcome, kind: WarningKind) -> Option<&str> {
 }
 
 #[test]
-fn two_shells_in_each_other_are_told_with_places_and_level_and_two_that_touch_are_not() {
+fn two_shells_in_each_other_are_reported_with_places_and_level_and_two_that_touch_are_not() {
     let scene = text("two-cantilevers.toml");
     let reported = |replaced: &[Replaced]| {
         let outcome = outcome(&scene, replaced);
@@ -48,7 +48,7 @@ fn two_shells_in_each_other_are_told_with_places_and_level_and_two_that_touch_ar
 }
 
 #[test]
-fn a_shell_in_itself_is_told_and_one_that_touches_itself_is_not() {
+fn a_shell_in_itself_is_reported_and_one_that_touches_itself_is_not() {
     let coarse: Replaced = &[
         ("geometry.cylinder.particles", "[41, 3]"),
         (
@@ -233,7 +233,7 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
 }
 
 #[test]
-fn cells_that_sag_towards_a_round_tool_are_told_before_the_run() {
+fn cells_that_sag_towards_a_round_tool_are_reported_before_the_run() {
     let sags = |particles: &str| {
         let replaced = [("geometry.plate.particles", particles)];
         let model =

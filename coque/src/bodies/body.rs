@@ -64,7 +64,7 @@ pub trait Body: Send {
     fn fields_with_contact<'a>(
         &'a self,
         shown: &FieldRequest<'a>,
-        _felt: ContactFields,
+        _nodal: ContactFields,
     ) -> Box<dyn FieldSource + 'a> {
         self.fields(shown)
     }
