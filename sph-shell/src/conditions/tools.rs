@@ -1,6 +1,6 @@
 //! Rigid tools that a shell may touch: they push by a potential, in every analysis, and move as level and time say.
 
-use contact::{Felt, Friction, Law, Pose, Surface, ToolContact, ToolShape, Touch, Watch};
+use contact::{Friction, Law, NodalContact, Pose, Surface, ToolContact, ToolShape, Touch, Watch};
 use explicit_dynamics::{Amplitude, Instant};
 use implicit_statics::Front;
 use sph_core::Vec3;
@@ -221,13 +221,20 @@ impl Tools {
     }
 
     /// What each particle feels of all tools, where they stood as forces were last evaluated.
-    pub fn felt(&self, state: &[Row], felt: &mut [Felt]) {
-        let mut own = vec![Felt::default(); felt.len()];
+    pub fn nodal_contact(&self, state: &[Row], nodal: &mut [NodalContact]) {
+        let mut own = vec![NodalContact::default(); nodal.len()];
         for Touched { contact, friction, stood, .. } in &self.tools {
-            own.fill(Felt::default());
-            contact.felt(friction.as_ref(), stood, place(state), &mut own);
-            felt.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
+            own.fill(NodalContact::default());
+            contact.nodal_contact(friction.as_ref(), stood, place(state), &mut own);
+            nodal.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
         }
+    }
+
+    /// The shape of each tool at level zero, and how far it had moved and turned, from zero, as forces were last evaluated.
+    pub fn stood(&self) -> impl Iterator<Item = (ToolShape, Pose)> {
+        self.tools.iter().map(|Touched { contact, stood, .. }| {
+            (contact.tool, Pose { moved: stood.moved + self.origin, ..*stood })
+        })
     }
 
     /// The place that is deepest in a tool, likewise, from the origin \[L\]; none without such a tool.
