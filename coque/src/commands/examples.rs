@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 54] = [
+const EXAMPLES: [Example; 55] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
