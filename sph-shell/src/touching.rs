@@ -94,6 +94,14 @@ impl Shell {
         self.own_friction().map_or(0.0, SurfaceContact::friction)
     }
 
+    /// Gives what is near in the shell an anchor for a long step to come.
+    pub(crate) fn hover(&mut self) {
+        let Self { loading, motion, .. } = self;
+        if let Some(own) = &mut loading.own_contact {
+            own.hover(&motion.state);
+        }
+    }
+
     /// What friction of the shell on itself keeps, behind how many numbers it is; nothing without.
     pub(crate) fn own_friction_history(&self) -> Vec<f64> {
         let own = self.own_friction().map(SurfaceContact::history);

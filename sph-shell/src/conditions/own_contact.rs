@@ -167,6 +167,11 @@ impl SelfContact {
         self.contact.commit();
     }
 
+    /// Lets what is near in a state, and touches nothing, rub from there when it comes to touch.
+    pub fn hover(&mut self, state: &[Row]) {
+        self.contact.hover(place(state));
+    }
+
     /// Takes up the history of its friction; false, and nothing changed, if it is that of another shell.
     pub fn take_up_history(&mut self, history: &[f64]) -> bool {
         self.contact.take_up_history(history)

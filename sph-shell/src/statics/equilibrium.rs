@@ -242,6 +242,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 
     fn commit(&mut self) {
         self.shell.commit();
+        self.shell.hover();
     }
 
     fn tangent_is_of_the_step(&self) -> bool {
