@@ -293,8 +293,8 @@ impl implicit_statics::Interaction for TouchingBodies {
 
     fn commit(&mut self, places: &[[f64; 3]]) {
         self.contact.commit();
-        let numbers = &self.numbers;
-        self.contact.hover(|node| place(numbers, places, node));
+        let skin = &self.skin;
+        self.contact.hover(|node| skin.place(places, node));
     }
 
     fn lost_at(&self, place: usize) -> f64 {
