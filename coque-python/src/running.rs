@@ -118,7 +118,7 @@ fn shown(scene: &Checked, keep: bool) -> Result<Cow<'_, Checked>, SceneError> {
     }
     let mut scene = scene.clone().into_scene();
     scene.output.fields =
-        Some(coque::scene::Fields { every: 1, extruded: false, points: false, stresses: false });
+        Some(coque::scene::Fields { every: 1, extruded: false, points: false, stresses: false, contact: false });
     Ok(Cow::Owned(scene.check()?))
 }
 

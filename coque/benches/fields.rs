@@ -44,10 +44,11 @@ fn frames(c: &mut Criterion) {
                 units,
                 stresses,
                 indicator: false,
+                contact: false,
                 driven: None,
                 forces: None,
             };
-            let wanted = Fields { every: 1, stresses, extruded, points: false };
+            let wanted = Fields { every: 1, stresses, extruded, points: false, contact: false };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {
                 pool.install(|| {
                     b.iter(|| {

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 56] = [
+const EXAMPLES: [Example; 57] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
@@ -65,6 +65,7 @@ const EXAMPLES: [Example; 56] = [
     Example::new("plate-buckling", 0.2, include_str!("../../../scenes/plate-buckling.toml")),
     Example::new("plate-clamped", 0.1, include_str!("../../../scenes/plate-clamped.toml")),
     Example::new("plate-clamped-solid", 1.0, include_str!("../../../scenes/plate-clamped-solid.toml")),
+    Example::new("plate-on-plate", 4.0, include_str!("../../../scenes/plate-on-plate.toml")),
     Example::new("plate-orthotropic", 6.0, include_str!("../../../scenes/plate-orthotropic.toml")),
     Example::new("plate-pd", 6.0, include_str!("../../../scenes/plate-pd.toml")),
     Example::new("plate-shortened", 2.0, include_str!("../../../scenes/plate-shortened.toml")),

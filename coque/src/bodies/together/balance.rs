@@ -153,6 +153,10 @@ impl StaticBody for Together<Balanced> {
         !self.layout.contacts.is_empty() || self.system.systems().iter().any(|part| part.opens_and_closes())
     }
 
+    fn slips(&self) -> bool {
+        self.system.remembers() || self.system.systems().iter().any(|part| part.slips())
+    }
+
     fn linear_reach(&self) -> f64 {
         self.system.systems().iter().map(|part| part.linear_reach()).fold(f64::INFINITY, f64::min)
     }
