@@ -73,7 +73,7 @@
 //! | edges that cross between vertices | `edges.rs` |
 //! | two surfaces, or one with itself; forces, tangent, bounds of them | `surfaces.rs`; `surfaces/acting.rs` |
 //! | κ | `stiffness.rs` |
-//! | what nodes feel of contact, to be read; gaps | `felt.rs` |
+//! | what nodes feel of contact, to be read; gaps | `nodal.rs` |
 //! | bodies that are too near although nothing acts between them | `unseen.rs` |
 //! | friction on tools, its anchors, what it loses | `friction.rs` |
 //! | friction of surfaces on each other, anchors in their faces | `surfaces/rubbing.rs`, `grips.rs` |
@@ -93,13 +93,13 @@
 //! | turned and in other units the answer is the same | tests/relations.rs |
 //! | the same of pairs of features, of edges that cross, of two surfaces | `gradient_and_second_derivative_of_every_kind_of_pair_are_those_of_the_distance`, `forces_of_two_edges_are_the_gradient_of_their_energy_nearly_parallel_ones_too`, tests/surfaces.rs |
 //! | every nearest place counts once; what slides over a plane feels no ripple | `every_nearest_place_counts_once_at_faces_rims_notches_and_corners`, `what_slides_over_a_plane_feels_no_ripple` |
+//! | what is too near is found with its places, and what was so at rest is not | `two_sheets_are_too_near_below_the_sum_of_their_halves_and_where_they_cross`, `a_sheet_that_is_rolled_up_meets_itself_and_one_that_is_bent_does_not` |
 //! | no vertex leaps through a face | `nothing_leaps_through_what_it_may_touch` |
 //! | an even depth makes even forces on unlike cells, momentum is kept, an old list and a new one give the same bits | tests/surfaces.rs |
 #![warn(missing_docs)]
 
 mod edges;
 mod euler;
-mod felt;
 mod friction;
 mod grips;
 mod joints;
@@ -107,6 +107,7 @@ mod law;
 mod list;
 mod mesh;
 mod nearest;
+mod nodal;
 mod pace;
 mod pair;
 mod pose;
@@ -118,11 +119,11 @@ mod touch;
 mod unseen;
 mod watch;
 
-pub use felt::{Felt, Grip};
 pub use friction::Friction;
 pub use joints::{Joint, Joints};
 pub use law::Law;
 pub use mesh::Mesh;
+pub use nodal::{Grip, NodalContact};
 pub use pace::{Moving, Pace};
 pub use pair::Pair;
 pub use pose::Pose;

@@ -15,6 +15,11 @@ pub struct Pose {
 }
 
 impl Pose {
+    /// Where a place of a checked tool has come to.
+    pub fn carry(&self, tool: &ToolShape, place: &Vec3) -> Vec3 {
+        ToolFrame::new(tool, self).in_space(place)
+    }
+
     /// Moved, not turned.
     pub fn moved(moved: Vec3) -> Self {
         Self { moved, angle: 0.0 }

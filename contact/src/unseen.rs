@@ -136,6 +136,9 @@ fn nearest([a, b]: [&Bystander<'_>; 2], rule: Rule) -> Option<TooNear> {
 /// The nearest places of two cells and their distance, zero where an edge of one goes through the other; none beyond a distance.
 fn distance([c, d]: [&Cell; 2], [of_c, of_d]: [&[Vec3]; 2], touching: f64) -> Option<([Vec3; 2], f64)> {
     let (c, d) = (Corners::of(c, of_c), Corners::of(d, of_d));
+    if [&c, &d].iter().any(|own| own.normal().is_some_and(|normal| c.apart_along(&d, &normal) >= touching)) {
+        return None;
+    }
     let mut best: Option<([Vec3; 2], f64)> = None;
     for (own, other, turned) in [(&c, &d, false), (&d, &c, true)] {
         for triangle in other.triangles() {
@@ -166,6 +169,24 @@ impl Corners {
     fn of(cell: &Cell, at: &[Vec3]) -> Self {
         let corners = cell.corners.map(|a| at[a as usize]);
         Self { corners, middle: corners.iter().sum::<Vec3>() / 4.0, count: usize::from(cell.count) }
+    }
+
+    /// Normal of a cell, as its diagonals have it; none of a particle.
+    fn normal(&self) -> Option<Vec3> {
+        let [a, b, c, d] = self.corners;
+        let across = if self.count == 3 { (b - a).cross(&(c - a)) } else { (c - a).cross(&(d - b)) };
+        across.try_normalize(0.0)
+    }
+
+    /// How far two cells are apart along a direction of length one at least \[L\], negative where they are beside each other.
+    fn apart_along(&self, other: &Self, along: &Vec3) -> f64 {
+        let ends = |own: &Self| {
+            own.places()
+                .map(|place| along.dot(place))
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+        };
+        let [[a, b], [c, d]] = [ends(self), ends(other)];
+        (c - b).max(a - d)
     }
 
     fn places(&self) -> impl Iterator<Item = &Vec3> {

@@ -179,7 +179,7 @@ fn each_body_has_frames_of_its_own() {
     let folder = folder("gate");
     let scene = Scene::parse(SHELL_GATE, "scene.toml").unwrap();
     let wanted = Fields { every: 1, extruded: true, stresses: false, points: false, contact: false };
-    let bodies = ["water", "gate", "tank"].map(|name| Written { name, shell: name == "gate" });
+    let bodies = ["water", "gate", "tank"].map(|name| Written { name, shell: name == "gate", tools: false });
     let mut files = FieldFiles::create_all(&folder, &bodies, &wanted).unwrap();
     let outcome = run(&scene, &mut files);
     let names = ["water", "gate", "tank", "gate-solid"];

@@ -23,32 +23,32 @@ fn outcome(text: &str, replaced: &[Replaced]) -> Outcome {
 }
 
 /// The message of a warning, if a run gives it.
-fn told(outcome: &Outcome, kind: WarningKind) -> Option<&str> {
+fn reported(outcome: &Outcome, kind: WarningKind) -> Option<&str> {
     let mut own = outcome.summary.record.warnings.iter().filter(|warning| warning.kind == kind);
     let message = own.next().map(|warning| warning.message.as_str());
-    assert!(own.next().is_none(), "told twice");
+    assert!(own.next().is_none(), "reported twice");
     message
 }
 
 #[test]
-fn two_shells_in_each_other_are_told_with_places_and_level_and_two_that_touch_are_not() {
+fn two_shells_in_each_other_are_reported_with_places_and_level_and_two_that_touch_are_not() {
     let scene = text("two-cantilevers.toml");
-    let told = |replaced: &[Replaced]| {
+    let reported = |replaced: &[Replaced]| {
         let outcome = outcome(&scene, replaced);
-        told(&outcome, WarningKind::TouchingUnseen).map(str::to_string)
+        reported(&outcome, WarningKind::TouchingUnseen).map(str::to_string)
     };
-    assert_eq!(told(&[CANTILEVERS]), None);
-    let said = told(&[CANTILEVERS, PLAIN]).unwrap();
+    assert_eq!(reported(&[CANTILEVERS]), None);
+    let said = reported(&[CANTILEVERS, PLAIN]).unwrap();
     let begins = "`lower` and `upper` are in each other at level 0.333";
     assert!(said.starts_with(begins) || said.contains("between = [\"lower\", \"upper\"]"), "{said}");
     assert!(said.contains("where faces touch at 1.0000e1"), "{said}");
     // A load of which the gap is left open.
     let light = ("loads[0].force.total", "[0.0, 0.0, -0.4]");
-    assert_eq!(told(&[CANTILEVERS, PLAIN, &[light]]), None);
+    assert_eq!(reported(&[CANTILEVERS, PLAIN, &[light]]), None);
 }
 
 #[test]
-fn a_shell_in_itself_is_told_and_one_that_touches_itself_is_not() {
+fn a_shell_in_itself_is_reported_and_one_that_touches_itself_is_not() {
     let coarse: Replaced = &[
         ("geometry.cylinder.particles", "[41, 3]"),
         (
@@ -58,10 +58,10 @@ fn a_shell_in_itself_is_told_and_one_that_touches_itself_is_not() {
     ];
     let scene = text("ring-in-itself.toml");
     let touching = outcome(&scene, &[coarse]);
-    assert_eq!(told(&touching, WarningKind::TouchingUnseen), None);
+    assert_eq!(reported(&touching, WarningKind::TouchingUnseen), None);
     let curve = ("curve", "[{ name = 'b', of = 'position', on = 'u0', direction = [0, 0, 1] }]");
     let through = outcome(&scene, &[coarse, &[("contact", "[]"), curve]]);
-    let said = told(&through, WarningKind::TouchingUnseen).unwrap();
+    let said = reported(&through, WarningKind::TouchingUnseen).unwrap();
     assert!(said.starts_with("the shell is in itself at level 0.5"), "{said}");
     assert!(said.contains("add [[contact]]"), "{said}");
 }
@@ -74,17 +74,17 @@ fn a_march_tells_what_is_in_each_other_where_it_ends() {
     let curve = ("curve", "[{ name = 'v', of = 'velocity', on = 'thrown.all', direction = [0, 0, 1] }]");
     let end = ("analysis.explicit.transient.duration", "0.04");
     let through = outcome(THROWN, &[&[("contact", "[]"), curve, end]]);
-    let said = told(&through, WarningKind::TouchingUnseen).unwrap();
+    let said = reported(&through, WarningKind::TouchingUnseen).unwrap();
     assert!(said.contains("at time 0.04"), "{said}");
-    assert_eq!(told(&outcome(THROWN, &[&[end]]), WarningKind::TouchingUnseen), None);
+    assert_eq!(reported(&outcome(THROWN, &[&[end]]), WarningKind::TouchingUnseen), None);
     let short = ("analysis.explicit.transient.duration", "0.01");
     assert_eq!(
-        told(&outcome(THROWN, &[&[("contact", "[]"), curve, short]]), WarningKind::TouchingUnseen),
+        reported(&outcome(THROWN, &[&[("contact", "[]"), curve, short]]), WarningKind::TouchingUnseen),
         None
     );
 }
 
-/// A plate on a plane, pressed on it evenly; it touches it at the start, by a hundredth of a micrometre.
+/// A plate on a plane, pressed on it evenly, on springs that bear nothing to speak of; it touches it at the start, by a hundredth of a micrometre.
 const LYING: &str = r#"
 title = "A plate pressed on a plane"
 units = { length = "m", force = "N", time = "s" }
@@ -92,7 +92,8 @@ geometry.plate = { lengths = [1.0, 2.0], particles = [6, 11] }
 material.elastic = { young = 1e7, poisson = 0.3, density = 1000.0 }
 section.homogeneous.thickness = 0.05
 tools = [{ name = "floor", plane = { point = [0, 0, -0.02499999], normal = [0, 0, 1] } }]
-supports = [{ on = "all", held = { displacement = [[1, 0, 0], [0, 1, 0]] } }]
+supports = [{ on = "all", held = { displacement = [[1, 0, 0], [0, 1, 0]] } },
+            { on = "all", spring = { stiffness = 1.0, direction = [0, 0, 1] } }]
 loads = [{ on = "all", force = { total = [0, 0, -300.0] } }]
 analysis.static = { levels = 2 }
 output.fields.contact = true
@@ -107,11 +108,9 @@ curve = [{ name = "depth", of = "greatest-depth", on = "all" },
 fn columns_fields_and_summary_say_how_deep_a_plate_lies_in_a_plane() {
     let scene = overridden(LYING, "lying.toml", &[]).unwrap();
     let model = scene.build(1).unwrap();
-    let mut simulation = Simulation::with_options(
-        model,
-        RunOptions { progress: &mut Silent, checkpoints: None, fields: None, from: None },
-    )
-    .unwrap();
+    let mut silent = Silent;
+    let options = RunOptions { progress: &mut silent, checkpoints: None, fields: None, from: None };
+    let mut simulation = Simulation::with_options(model, options).unwrap();
     while simulation.advance().unwrap() != Event::End {}
     let sheet = simulation.sheet(false).unwrap();
     let outcome = simulation.finish();
@@ -147,10 +146,12 @@ fn fields_tell_what_sticks_from_what_slips() {
         let rough = ("tools[0].friction", "0.3");
         let load = format!("[{{ on = 'all', force = {{ total = [{force}, 0, -300.0] }} }}]");
         let rope = "[{ on = 'all', spring = { stiffness = 1e3, direction = [1, 0, 0] } }, \
+                    { on = 'all', spring = { stiffness = 1.0, direction = [0, 0, 1] } }, \
                     { on = 'all', held = { displacement = [[0, 1, 0]] } }]";
         let replaced = [rough, ("loads", load.as_str()), ("supports", rope), ("analysis.static.levels", "4")];
         let model = overridden(LYING, "lying.toml", &replaced).unwrap().build(1).unwrap();
-        let options = RunOptions { progress: &mut Silent, checkpoints: None, fields: None, from: None };
+        let mut silent = Silent;
+        let options = RunOptions { progress: &mut silent, checkpoints: None, fields: None, from: None };
         let mut simulation = Simulation::with_options(model, options).unwrap();
         while simulation.advance().unwrap() != Event::End {}
         let sheet = simulation.sheet(false).unwrap();
@@ -166,7 +167,7 @@ fn fields_tell_what_sticks_from_what_slips() {
 }
 
 /// The gap of a ring that collapses, at the ends of its middle line, is straight across: twice how far they are from the middle, less
-/// the thickness.
+/// the thickness; beyond half of that it is not looked for.
 #[test]
 fn the_gap_of_a_shell_to_itself_is_straight_across() {
     let curve = "[{ name = 'b', of = 'position', on = 'u0', direction = [0, 0, 1] }, \
@@ -178,12 +179,12 @@ fn the_gap_of_a_shell_to_itself_is_straight_across() {
     let outcome = outcome(&text("ring-in-itself.toml"), &[&replaced]);
     let [b, gap, depth, area] = ["b", "gap", "depth", "area"].map(|name| column(&outcome, name));
     for i in 0..b.len() {
-        let exact = (2.0 * b[i].abs() - 0.05).min(0.5);
+        let exact = (2.0 * b[i].abs() - 0.05).min(0.025);
         assert!((gap[i] - exact).abs() < 1e-6, "{} for {exact}", gap[i]);
         // Middles of the cells beside may be deeper than the particles.
         assert!(depth[i] >= -gap[i] / 0.05 - 1e-12 && (depth[i] > 0.0) == (area[i] > 0.0));
     }
-    assert!(gap[0] == 0.5 && *gap.last().unwrap() < 0.0 && *area.last().unwrap() > 0.0);
+    assert!((gap[0] - 0.025).abs() < 1e-12 && *gap.last().unwrap() < 0.0 && *area.last().unwrap() > 0.0);
     let contact = &outcome.summary.record.contacts[0];
     assert_eq!(contact.between, "the shell with itself");
     assert!(
@@ -209,13 +210,12 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     let flew = outcome(THROWN, &[&fast]);
     let record = &flew.summary.record;
     let contact = &record.contacts[0];
-    println!("{contact:?}\n{:?}\n{:?}", record.shortened, record.warnings);
     let deepest = |name: &str| column(&flew, name).into_iter().fold(0.0, f64::max);
     assert_eq!(contact.greatest_depth, deepest("depth").max(deepest("other")));
-    let said = told(&flew, WarningKind::DeepContact).unwrap();
+    let said = reported(&flew, WarningKind::DeepContact).unwrap();
     assert!(said.starts_with("`target` with `thrown`: faces are"), "{said}");
     let short = record.shortened.unwrap();
-    let said = told(&flew, WarningKind::ShortenedStep).unwrap();
+    let said = reported(&flew, WarningKind::ShortenedStep).unwrap();
     assert!(
         short.least < 0.5
             && said.contains(&format!("contact made {} of {} steps", short.steps, record.steps)),
@@ -226,14 +226,14 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     assert!(most > 1.0 && m.iter().zip(&w).all(|(m, w)| (m + w).abs() < 1e-12 * most));
     assert!(area.iter().zip(&gap).any(|(area, gap)| *area > 0.0 && *gap < 0.0));
     let slow = outcome(THROWN, &[&[("analysis.explicit.transient.duration", "0.04")]]);
-    assert_eq!(told(&slow, WarningKind::DeepContact), None);
-    assert_eq!(told(&slow, WarningKind::ShortenedStep), None);
+    assert_eq!(reported(&slow, WarningKind::DeepContact), None);
+    assert_eq!(reported(&slow, WarningKind::ShortenedStep), None);
     // What was noted so far stands in the checkpoint.
     stopped_again_and_again("thrown-fast", THROWN, &fast, 4);
 }
 
 #[test]
-fn cells_that_sag_towards_a_round_tool_are_told_before_the_run() {
+fn cells_that_sag_towards_a_round_tool_are_reported_before_the_run() {
     let sags = |particles: &str| {
         let replaced = [("geometry.plate.particles", particles)];
         let model =

@@ -1,6 +1,6 @@
 //! What a shell and the tools that it may touch do to each other, to be read.
 
-use contact::Touch;
+use contact::{Pose, ToolShape, Touch};
 use explicit_dynamics::Instant;
 use sph_core::Vec3;
 
@@ -21,6 +21,11 @@ impl Shell {
     /// Whether there are tools that it may touch.
     pub fn has_tools(&self) -> bool {
         !self.loading.tools.is_empty()
+    }
+
+    /// The shape of each tool at level zero, and how far it had moved and turned, from zero, as forces were last evaluated.
+    pub fn tools_as_they_stood(&self) -> impl Iterator<Item = (ToolShape, Pose)> {
+        self.loading.tools.stood()
     }
 
     /// Gap between its face and that of the nearest tool at a particle \[L\], with tools as for the forces last evaluated.

@@ -1,6 +1,6 @@
 //! What a shell touches, tools or itself, and what of that a checkpoint keeps.
 
-use contact::{Deepest, Felt, Mesh, SurfaceContact, SurfaceTouch};
+use contact::{Deepest, Mesh, NodalContact, SurfaceContact, SurfaceTouch};
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -56,17 +56,17 @@ impl Shell {
     }
 
     /// What each particle feels of tools and of the shell itself, for the forces last evaluated.
-    pub fn felt(&self) -> Vec<Felt> {
-        let mut felt = vec![Felt::default(); self.len()];
-        self.loading.tools.felt(&self.motion.state, &mut felt);
+    pub fn nodal_contact(&self) -> Vec<NodalContact> {
+        let mut nodal = vec![NodalContact::default(); self.len()];
+        self.loading.tools.nodal_contact(&self.motion.state, &mut nodal);
         if let Some(own) = &self.loading.own_contact {
-            own.felt(&mut felt);
+            own.nodal_contact(&mut nodal);
         }
-        felt
+        nodal
     }
 
     /// Gaps between its faces and those of the nearest tool, or of the shell itself, at some particles \[L\], tools as for the forces last
-    /// evaluated; of the shell itself up to ten thicknesses, infinite where it touches nothing.
+    /// evaluated; of the shell itself up to half of its thickness, infinite where it touches nothing.
     pub fn contact_gaps(&self, particles: &[u32]) -> Vec<f64> {
         let state = &self.motion.state;
         let mut gaps: Vec<f64> = particles.iter().map(|&a| self.tool_gap(a as usize)).collect();
@@ -92,6 +92,14 @@ impl Shell {
     /// Coefficient of the friction of the shell on itself \[–\].
     pub fn own_friction_coefficient(&self) -> f64 {
         self.own_friction().map_or(0.0, SurfaceContact::friction)
+    }
+
+    /// Gives what is near in the shell an anchor for a long step to come.
+    pub(crate) fn hover(&mut self) {
+        let Self { loading, motion, .. } = self;
+        if let Some(own) = &mut loading.own_contact {
+            own.hover(&motion.state);
+        }
     }
 
     /// What friction of the shell on itself keeps, behind how many numbers it is; nothing without.

@@ -37,7 +37,7 @@ function paint() {
   card.clear(width, height);
   const look = { ...view.ends, only: state.only, edges: state.edges, spheres: state.spheres };
   if (state.ghost) for (const shape of shapes) shape.drawGhost(camera);
-  for (const shape of shapes) shape.draw(camera, look);
+  for (const glass of [false, true]) shapes.filter(shape => shape.head.glass === glass).forEach(shape => shape.draw(camera, look));
   if (view.marked) mark(view.marked.shape, view.marked.points, 7 * ratio, [0.85, 0.1, 0.45, 1]);
   if (view.probed) mark(view.probed.shape, [view.probed.row], 11 * ratio, [0.76, 0.25, 0.05, 1]);
   drawAxes(byId("axes"), camera);
@@ -177,7 +177,7 @@ function firstFit() {
 /** The particle that is seen at a place on the canvas: among the near ones the one in front. */
 function pick(x, y) {
   let best = null, reach = 14 * (window.devicePixelRatio || 1);
-  for (const shape of view.shapes.filter(shape => !shape.hidden)) {
+  for (const shape of view.shapes.filter(shape => !shape.hidden && !shape.head.glass)) {
     const { places, rows } = shape;
     for (let row = 0; row < rows; row++) {
       const [px, py, near] = view.camera.project(places[3 * row], places[3 * row + 1], places[3 * row + 2]);

@@ -211,16 +211,28 @@ class Shape {
       return;
     }
     card.attribute("normal", buffers.normal, 3);
+    // Tools are seen through: they hide nothing that is drawn before or behind them.
+    gl.uniform1f(uniforms.veil, this.head.glass ? 0.3 : 1);
+    if (this.head.glass) this.veil(true);
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1, 1);
     card.corners(buffers.triangles, gl.TRIANGLES, this.counts.triangles);
     gl.disable(gl.POLYGON_OFFSET_FILL);
+    if (this.head.glass) return this.veil(false);
     if (look.edges) this.drawEdges(camera);
     if (!look.only) this.lines(camera, buffers.place, buffers.outline, this.counts.outline, [0.1, 0.13, 0.18, 0.8]);
   }
 
+  /** Lets through what is behind, or not any more. */
+  veil(begins) {
+    const { gl } = this.card;
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    gl[begins ? "enable" : "disable"](gl.BLEND);
+    gl.depthMask(!begins);
+  }
+
   drawGhost(camera) {
-    if (this.hidden || !this.solid || this.still) return;
+    if (this.hidden || !this.solid || this.still || this.head.glass) return;
     this.lines(camera, this.buffers.rest, this.buffers.ghost, this.ghostCount, [0.45, 0.5, 0.57, 0.7]);
   }
 

@@ -12,6 +12,9 @@ const MOTION: &str = "displacement";
 /// What each particle stands for, and the root that is its size.
 const SIZES: [(&str, f64); 2] = [("area", 1.0 / 2.0), ("volume", 1.0 / 3.0)];
 
+/// The field of what is seen through: tools.
+const GLASS: &str = "tool";
+
 /// A frame of another shape than those before it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("a frame of {body} has {found} points where the first has {needed}")]
@@ -36,6 +39,8 @@ pub struct Body {
     /// Thickness of a shell, or size of a particle \[L\], at each point; empty of bodies without either.
     pub(crate) sizes: Vec<f32>,
     pub(crate) shell: bool,
+    /// Whether it is drawn so that what is behind it is seen, without a field.
+    pub(crate) glass: bool,
     /// Displacements \[L\].
     pub(crate) motion: Track,
     /// Whether the motion is a field of the frames, and not only what their points did.
@@ -67,7 +72,8 @@ impl Body {
             }),
         };
         let unit = motion.and_then(|array| array.unit.clone());
-        let listed = |array: &Array| (1..=9).contains(&array.width);
+        let glass = first.point_data.contains_key(GLASS);
+        let listed = |array: &Array| (1..=9).contains(&array.width) && !glass;
         let of = |(name, array): (&String, &Array)| Track::new(name, array);
         let fields = first.point_data.iter().filter(|&(name, array)| name != MOTION && listed(array)).map(of);
         let of_cells = first.cell_data.iter().filter(|&(name, _)| !first.point_data.contains_key(name));
@@ -79,8 +85,9 @@ impl Body {
             faces,
             sizes,
             shell,
+            glass,
             motion: Track { name: MOTION.into(), unit, components: Vec::new(), width: 3, frames: Vec::new() },
-            displaced: motion.is_some(),
+            displaced: motion.is_some() && !glass,
             fields,
             cells: first.cells.clone(),
         }

@@ -54,6 +54,7 @@ struct BodyHead<'a> {
     count: usize,
     face_count: usize,
     shell: bool,
+    glass: bool,
     /// Whether the displacement is a field to look at.
     displaced: bool,
     rest: Blob,
@@ -136,6 +137,7 @@ fn body_head<'a>(body: &'a Body, packed: &'a [Packed], origin: [f64; 3], text: &
         count: body.rest.len(),
         face_count: body.faces.faces.len(),
         shell: body.shell,
+        glass: body.glass,
         displaced: body.displaced,
         rest: text.add(&pack::single(rest.into_iter())),
         faces: text.add(&pack::whole(flat(&body.faces.faces))),

@@ -100,6 +100,11 @@ impl SurfaceContact {
         self.each_node(contact, |node, weight| push(node, -contact.slope * weight.abs()));
     }
 
+    /// Whether it is that of one surface with itself.
+    pub(crate) fn is_with_itself(&self) -> bool {
+        self.near.is_some()
+    }
+
     /// Whether a node may touch a face of the other surface, or of its own.
     pub(crate) fn may_touch(&self, (body, a): Node, face: &[u32; 3]) -> bool {
         let Some(near) = &self.near else { return true };

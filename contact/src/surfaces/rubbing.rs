@@ -16,6 +16,7 @@
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
+use super::reaching::nearest;
 use super::{Contact, Node, Pass, SurfaceContact, corners_of};
 use crate::euler::Feature;
 use crate::grips::{Grip, Grips, along_sides, in_space};
@@ -363,6 +364,36 @@ impl SurfaceContact {
             let corners = meshes[pass.on].faces()[grip.face as usize];
             corners.iter().for_each(|&corner| share(pass.on, corner, energy / 6.0));
         });
+    }
+
+    /// Gives what is near and touches nothing an anchor at its foot, for what it touches in the next step where that is long: it has slipped from
+    /// there when it comes to touch.
+    pub fn hover(&mut self, at: impl Fn(Node) -> Vec3) {
+        let Self { meshes, passes, rubbing, .. } = self;
+        let Some(rubbing) = rubbing else { return };
+        let kept = &mut rubbing.grips.kept;
+        let gripping = kept.len();
+        for (number, pass) in passes.iter().enumerate() {
+            let (own, other) = (&meshes[pass.of], &meshes[pass.on]);
+            let vertices = 0..other.surface().vertices().len() as u32;
+            let places: Vec<Vec3> = vertices.map(|v| other.place(v, |a| at((pass.on, a)))).collect();
+            for (vertex, faces) in pass.list.after(f64::INFINITY) {
+                let of = (number as u32, vertex);
+                if kept[..gripping].binary_search_by_key(&of, |grip| grip.of).is_ok() {
+                    continue;
+                }
+                let point = own.place(vertex, |a| at((pass.of, a)));
+                let near = faces.map(|face| (face, nearest(other, face, point, &places)));
+                let Some((face, pair)) = near.min_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance))
+                else {
+                    continue;
+                };
+                let corners = other.faces()[face as usize].map(|corner| places[corner as usize]);
+                let anchor = along_sides(corners, &(point - pair.normal * pair.distance - corners[0]));
+                kept.push(Grip { of, face, anchor, stretch: [0.0; 2], lost: 0.0, holds: true });
+            }
+        }
+        kept.sort_by_key(|grip| grip.of);
     }
 
     /// Energy that friction took on the way to the forces last evaluated, from what was committed \[F L\].

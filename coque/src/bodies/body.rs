@@ -3,13 +3,13 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use contact::Felt;
+use contact::NodalContact;
 use explicit_dynamics::{Dynamics, Exert};
 use implicit_statics::Equilibrium;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 
-use super::contact_now::{ContactNow, FeltFields};
+use super::contact_now::{ContactFields, ContactNow};
 use super::field_source::{FieldRequest, FieldSource};
 use super::figures::FluidFigures;
 use super::outline::Outline;
@@ -45,6 +45,11 @@ pub trait Body: Send {
     /// Works out what its fields show, for whoever writes them.
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a>;
 
+    /// Whether one of its bodies has tools, which are shown as [`crate::Part::Tools`].
+    fn has_tools(&self, _body: usize) -> bool {
+        false
+    }
+
     /// Names of the bodies that it is made of, each with fields of its own; none of a body that is one.
     fn bodies(&self) -> Vec<&str> {
         Vec::new()
@@ -56,7 +61,11 @@ pub trait Body: Send {
     }
 
     /// The same as [`Body::fields`] with what its particles feel of contact.
-    fn fields_felt<'a>(&'a self, shown: &FieldRequest<'a>, _felt: FeltFields) -> Box<dyn FieldSource + 'a> {
+    fn fields_with_contact<'a>(
+        &'a self,
+        shown: &FieldRequest<'a>,
+        _nodal: ContactFields,
+    ) -> Box<dyn FieldSource + 'a> {
         self.fields(shown)
     }
 
@@ -66,13 +75,20 @@ pub trait Body: Send {
     }
 
     /// What each particle of one of its bodies feels of contact, for the forces last evaluated; nothing where nothing touches it.
-    fn felt(&self, _body: usize) -> Vec<Felt> {
+    fn nodal_contact(&self, _body: usize) -> Vec<NodalContact> {
         Vec::new()
     }
 
     /// Gaps between its faces and those of whatever may touch it at some particles of one of its bodies \[L\], infinite where there is nothing.
     fn gaps(&self, _body: usize, particles: &[u32]) -> Vec<f64> {
         vec![f64::INFINITY; particles.len()]
+    }
+
+    /// What fields show of contact on one of its bodies.
+    fn contact_fields(&self, body: usize) -> ContactFields {
+        let nodal = self.nodal_contact(body);
+        let all: Vec<u32> = (0..nodal.len() as u32).collect();
+        ContactFields { gaps: self.gaps(body, &all), nodal }
     }
 
     /// The contacts of all of its bodies, with what they do now.

@@ -1,9 +1,7 @@
 //! A contact of a body, with what it does now and what particles feel of it.
 
-use contact::Felt;
+use contact::NodalContact;
 use sph_core::Vec3;
-
-use super::body::Body;
 
 /// What a body touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,18 +40,9 @@ impl ContactNow {
 
 /// What fields show of contact.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct FeltFields {
+pub struct ContactFields {
     /// What each particle feels.
-    pub felt: Vec<Felt>,
+    pub nodal: Vec<NodalContact>,
     /// Gap at each particle \[L\].
     pub gaps: Vec<f64>,
-}
-
-impl FeltFields {
-    /// That of one of the bodies of a body.
-    pub(crate) fn of(whole: &(impl Body + ?Sized), body: usize) -> Self {
-        let felt = whole.felt(body);
-        let all: Vec<u32> = (0..felt.len() as u32).collect();
-        Self { gaps: whole.gaps(body, &all), felt }
-    }
 }

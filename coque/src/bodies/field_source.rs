@@ -48,6 +48,8 @@ pub enum Part {
     Extruded,
     /// The quadrature points of a Galerkin solid.
     Points,
+    /// The tools of a shell.
+    Tools,
 }
 
 /// The fields of a body, ready to be written; any function that writes them is.

@@ -49,7 +49,7 @@ pub use body::{
     StateArray, StaticBody, TangentCost,
 };
 use built_body::BuiltBody;
-pub use contact_now::{ContactNow, FeltFields, With};
+pub use contact_now::{ContactFields, ContactNow, With};
 pub use field_source::{FieldRequest, FieldSource, Part, State};
 pub use figures::FluidFigures;
 pub use memory::Memory;

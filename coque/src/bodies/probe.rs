@@ -127,7 +127,7 @@ impl Probe {
             return sampled.values(&body.point_numbers(&self.particles));
         }
         if matches!(self.of, Measured::ContactGap | Measured::GreatestDepth | Measured::TouchingArea) {
-            return self.felt(body);
+            return self.nodal_contact(body);
         }
         let followed =
             self.of == Measured::Rotation && !self.particles.iter().all(|&a| body.counts_turns(a as usize));
@@ -148,7 +148,7 @@ impl Probe {
     }
 
     /// What the particles feel of contact, all of one body.
-    fn felt(&self, body: &dyn Body) -> Vec<f64> {
+    fn nodal_contact(&self, body: &dyn Body) -> Vec<f64> {
         let Some(&first) = self.particles.first() else { return Vec::new() };
         let (of, own) = body.place(first as usize);
         let before = first - own as u32;
@@ -156,10 +156,10 @@ impl Probe {
         if self.of == Measured::ContactGap {
             return body.gaps(of, &own);
         }
-        let felt = body.felt(of);
-        let one = |&a: &u32| match felt.get(a as usize) {
-            Some(felt) if self.of == Measured::GreatestDepth => felt.depth,
-            Some(felt) => felt.area,
+        let nodal = body.nodal_contact(of);
+        let one = |&a: &u32| match nodal.get(a as usize) {
+            Some(nodal) if self.of == Measured::GreatestDepth => nodal.depth,
+            Some(nodal) => nodal.area,
             None => 0.0,
         };
         own.iter().map(one).collect()

@@ -226,18 +226,26 @@ fn lists(plot: &Plot) -> Result<Vec<PathBuf>, String> {
     if let Some(body) = &plot.body {
         return Ok(vec![of(&format!("{body}.pvd"))]);
     }
-    let all = frame_lists(&plot.folder);
+    let (tools, all): (Vec<PathBuf>, Vec<PathBuf>) =
+        frame_lists(&plot.folder).into_iter().partition(are_tools);
     let [shell, solid] = ["shell.pvd", "solid.pvd"].map(of);
     // Beside the list of a lone shell that of a solid is the same shell with its thickness.
     if all.is_empty() || all == [shell.clone(), solid] {
-        return Ok(vec![shell]);
+        return Ok([vec![shell], tools].concat());
     }
     // Of a shell beside others what has its thickness is drawn, if it was written.
     let thick = |list: &PathBuf| {
         let name = list.file_stem().unwrap_or_default().to_string_lossy();
         list.with_file_name(format!("{name}-solid.pvd"))
     };
-    Ok(all.iter().filter(|list| !all.contains(&thick(list))).cloned().collect())
+    let bodies = all.iter().filter(|list| !all.contains(&thick(list))).cloned();
+    Ok(bodies.chain(tools).collect())
+}
+
+/// Whether a list is one of tools.
+fn are_tools(list: &PathBuf) -> bool {
+    let name = list.file_stem().unwrap_or_default().to_string_lossy();
+    name == "tools" || name.ends_with("-tools")
 }
 
 fn unread(error: ReadError) -> String {

@@ -1,5 +1,5 @@
-//! Frames of bodies on disk: `shell.pvd` of a lone shell, else `NAME.pvd`, and beside it the body with its thickness, or its
-//! quadrature points.
+//! Frames of bodies on disk: `shell.pvd` of a lone shell, else `NAME.pvd`, and beside it the body with its thickness, its
+//! quadrature points, or its tools.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -22,16 +22,19 @@ pub struct Written<'a> {
     pub name: &'a str,
     /// Whether it is a shell, which can be written with its thickness as well.
     pub shell: bool,
+    /// Whether it has tools, which are written too.
+    pub tools: bool,
 }
 
 /// Writes the frames of one body or of several into a folder: `NAME.pvd` and `NAME-0000.vtu` …, and of an extruded shell
-/// likewise, `solid` of a lone shell, else `NAME-solid`; of quadrature points `NAME-points`.
+/// likewise, `solid` of a lone shell, else `NAME-solid`; of quadrature points `NAME-points`; of tools `tools` beside a lone shell, else
+/// `NAME-tools`.
 ///
 /// Whatever kills a run leaves whole files, and lists that name only those.
 pub struct FieldFiles {
     stresses: bool,
-    /// Of each body its surface, and the further part that is wanted of it.
-    bodies: Vec<(Series, Option<(Part, Series)>)>,
+    /// Of each body its surface, and the further parts that are wanted of it.
+    bodies: Vec<(Series, Vec<(Part, Series)>)>,
 }
 
 impl FieldFiles {
@@ -47,10 +50,14 @@ impl FieldFiles {
         let Some(wanted) = &model.task.output.fields else { return Ok(None) };
         let described = &model.description;
         let of = |name| described.bodies.get(name).unwrap_or(described);
-        let written = |name| Written { name, shell: of(name).kind == "shell" };
-        let mut bodies: Vec<Written<'_>> = model.body.body().bodies().into_iter().map(written).collect();
+        let body = model.body.body();
+        let written = |(number, name)| {
+            let (shell, tools) = (of(name).kind == "shell", body.has_tools(number));
+            Written { name, shell, tools }
+        };
+        let mut bodies: Vec<Written<'_>> = body.bodies().into_iter().enumerate().map(written).collect();
         if bodies.is_empty() {
-            bodies.push(written(described.kind));
+            bodies.push(written((0, described.kind)));
         }
         let folder = folder.join("fields");
         let files = Self::go_on_all(&folder, &bodies, wanted, frames)?;
@@ -63,7 +70,7 @@ impl FieldFiles {
     /// # Errors
     /// [`FieldError`] for a folder that cannot be made or cleared.
     pub fn create(folder: &Path, name: &str, wanted: &Fields) -> Result<Self, FieldError> {
-        Self::create_all(folder, &[Written { name, shell: true }], wanted)
+        Self::create_all(folder, &[Written { name, shell: true, tools: false }], wanted)
     }
 
     /// The same for several bodies, in the order of [`crate::Body::bodies`].
@@ -75,8 +82,8 @@ impl FieldFiles {
             .map_err(|error| FieldError { path: folder.display().to_string(), reason: error.to_string() })?;
         bodies.iter().try_for_each(|body| Self::clear(folder, body.name))?;
         let body = |body: &Written<'_>| {
-            let [surface, extruded, points] = series(folder, body.name);
-            (surface, further(wanted, body, extruded, points))
+            let (surface, others) = series(folder, body.name);
+            (surface, further(wanted, body, others))
         };
         Ok(Self { stresses: wanted.stresses, bodies: bodies.iter().map(body).collect() })
     }
@@ -107,7 +114,9 @@ impl FieldFiles {
     /// # Errors
     /// [`FieldError`] for a folder that cannot be cleared.
     pub fn clear(folder: &Path, name: &str) -> Result<(), FieldError> {
-        series(folder, name).iter().try_for_each(Series::clear)
+        let (surface, others) = series(folder, name);
+        surface.clear()?;
+        others.iter().try_for_each(|(_, own)| own.clear())
     }
 
     /// Goes on after so many frames that an earlier sitting wrote; those after them are taken out, to be written again.
@@ -115,7 +124,7 @@ impl FieldFiles {
     /// # Errors
     /// [`FieldError`] for a list that does not hold them, and a folder that cannot be cleared.
     pub fn go_on(folder: &Path, name: &str, wanted: &Fields, frames: u64) -> Result<Self, FieldError> {
-        Self::go_on_all(folder, &[Written { name, shell: true }], wanted, frames)
+        Self::go_on_all(folder, &[Written { name, shell: true, tools: false }], wanted, frames)
     }
 
     /// The same for several bodies.
@@ -132,31 +141,40 @@ impl FieldFiles {
             return Self::create_all(folder, bodies, wanted);
         }
         let body = |body: &Written<'_>| {
-            let [surface, extruded, points] = series(folder, body.name);
-            let further = further(wanted, body, extruded, points);
-            let further =
-                further.map(|(part, series)| Ok((part, series.up_to(frames as usize)?))).transpose()?;
-            Ok((surface.up_to(frames as usize)?, further))
+            let (surface, others) = series(folder, body.name);
+            let further = further(wanted, body, others).into_iter();
+            let further = further.map(|(part, series)| Ok((part, series.up_to(frames as usize)?)));
+            Ok((surface.up_to(frames as usize)?, further.collect::<Result<_, FieldError>>()?))
         };
         let bodies = bodies.iter().map(body).collect::<Result<_, FieldError>>()?;
         Ok(Self { stresses: wanted.stresses, bodies })
     }
 }
 
-/// The surface of a body, the same with its thickness, its quadrature points.
-fn series(folder: &Path, name: &str) -> [Series; 3] {
-    let extruded = if name == FieldFiles::LONE { "solid".into() } else { format!("{name}-solid") };
-    let points = format!("{name}-points");
-    [name, &extruded, &points].map(|name| Series::new(folder, name))
+/// The surface of a body, and its other parts: with its thickness, its quadrature points, its tools.
+fn series(folder: &Path, name: &str) -> (Series, [(Part, Series); 3]) {
+    let lone = name == FieldFiles::LONE;
+    let of = |part, alone: &str, word: &str| {
+        let own = if lone { alone.to_string() } else { format!("{name}-{word}") };
+        (part, Series::new(folder, &own))
+    };
+    let others = [
+        of(Part::Extruded, "solid", "solid"),
+        of(Part::Points, "shell-points", "points"),
+        of(Part::Tools, "tools", "tools"),
+    ];
+    (Series::new(folder, name), others)
 }
 
-/// The further part that is wanted: no body has both.
-fn further(wanted: &Fields, body: &Written<'_>, extruded: Series, points: Series) -> Option<(Part, Series)> {
-    match wanted {
-        Fields { extruded: true, .. } if body.shell => Some((Part::Extruded, extruded)),
-        Fields { points: true, .. } => Some((Part::Points, points)),
-        _ => None,
-    }
+/// The further parts that are wanted.
+fn further(wanted: &Fields, body: &Written<'_>, others: [(Part, Series); 3]) -> Vec<(Part, Series)> {
+    let is_wanted = |part| match part {
+        Part::Extruded => wanted.extruded && body.shell,
+        Part::Points => wanted.points && !body.shell,
+        Part::Tools => body.tools,
+        Part::Surface => false,
+    };
+    others.into_iter().filter(|(part, _)| is_wanted(*part)).collect()
 }
 
 impl FieldSink for FieldFiles {
@@ -169,9 +187,8 @@ impl FieldSink for FieldFiles {
                 false => frame.evaluate(self.stresses),
             };
             let mut surface = || surface.add(along, |to| fields.write(Part::Surface, to));
-            let mut further = || match further {
-                Some((part, series)) => series.add(along, |to| fields.write(*part, to)),
-                None => Ok(()),
+            let mut further = || {
+                further.iter_mut().try_for_each(|(part, own)| own.add(along, |to| fields.write(*part, to)))
             };
             // While a frame is written no step is made: where the run has threads, two of them write. A run on one thread
             // has no pool, and must not wake that of the whole process.

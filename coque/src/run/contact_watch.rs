@@ -9,8 +9,9 @@ use crate::bodies::{Body, ContactNow};
 
 /// Steps in time between two looks for what nothing keeps apart, at least: a look costs less than twenty of them.
 const LOOK_EVERY: u64 = 1000;
-/// Least step over that of the bodies alone below which a run says so.
-const SHORT: f64 = 0.5;
+/// Least step over that of the bodies alone below which a run says so. A plate thrown at another at a hundredth of its speed of sound has no
+/// step shortened, at a twentieth steps of .88, and energy is off by 2.9 %.
+const SHORT: f64 = 0.9;
 
 /// Who looks at contact where a run records.
 #[derive(Debug)]
@@ -61,7 +62,7 @@ impl ContactWatch {
         }
     }
 
-    /// Looks for what has come nearer than faces allow, at a time \[T\], zero without time, and a level; it is told once.
+    /// Looks for what has come nearer than faces allow, at a time \[T\], zero without time, and a level; it is reported once.
     pub fn look(&self, body: &dyn Body, [time, level]: [f64; 2], found: &mut RunRecord) {
         if found.warnings.iter().any(|known| known.kind == WarningKind::TouchingUnseen) {
             return;

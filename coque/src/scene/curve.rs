@@ -120,8 +120,9 @@ pub enum Measured {
     ContactForce,
     /// Component of the moment that its tools exert on a shell about a point \[F L\].
     ContactMoment,
-    /// Gap between the face of a shell, at its particles, and that of the nearest tool, of the shell itself or of another shell, negative where they
-    /// are in each other \[L\]; of shells up to ten times the distance at which they touch, which stands for all beyond.
+    /// Gap between the face of a shell, at its particles, and that of the nearest tool, of the shell itself or of another body, negative where they
+    /// are in each other \[L\]; to other bodies up to ten times the distance at which they touch, to itself up to half of the
+    /// thickness, which stand for all beyond.
     ContactGap,
     /// Depth of contact of a shell, at its particles and its share of the middles of cells, over the distance of its middle at which faces
     /// touch \[–\]: mid-surfaces come through at one. The largest of a set.

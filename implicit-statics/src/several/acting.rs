@@ -119,7 +119,7 @@ impl Acting {
 
     /// Makes its history that of an accepted state.
     pub fn commit(&mut self) {
-        self.interaction.commit();
+        self.interaction.commit(&self.places);
     }
 
     /// Where the systems are now.

@@ -56,8 +56,8 @@ pub trait Interaction: Any + Send {
     /// Takes up what [`Interaction::history`] gave.
     fn recall(&mut self, _history: &[f64]) {}
 
-    /// Makes the history of the places last evaluated the one that counts: they are an accepted state.
-    fn commit(&mut self) {}
+    /// Makes the history of places, those last evaluated, the one that counts: they are an accepted state.
+    fn commit(&mut self, _places: &[[f64; 3]]) {}
 
     /// Energy lost at a place until the last commit \[F L\].
     fn lost_at(&self, _place: usize) -> f64 {

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::acting::Acting;
 use super::interaction::{Interaction, Joinable};
 use crate::bounds::OutOfBounds;
-use crate::equilibrium::Equilibrium;
+use crate::equilibrium::{Equilibrium, Front};
 
 /// Part of the greatest utilisation from which on others break with it: equal systems are as far but for rounding.
 const ALIKE: f64 = 1e-9;
@@ -286,6 +286,26 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
         self.restore(&saved);
         let each = self.acting.iter().zip(here.iter().zip(&there));
         each.map(|(acting, (here, there))| acting.interaction().reach(here, there)).fold(least, f64::min)
+    }
+
+    fn stages_of_contact(&self) -> Vec<f64> {
+        let mut all: Vec<f64> = self.systems.iter().flat_map(|system| system.stages_of_contact()).collect();
+        all.sort_unstable_by(|a, b| b.total_cmp(a));
+        all.dedup();
+        all
+    }
+
+    fn soften_contact(&mut self, length: Option<f64>) {
+        self.systems.iter_mut().for_each(|system| system.soften_contact(length));
+    }
+
+    fn front(&mut self, level: f64) -> Front {
+        let each = self.systems.iter_mut().map(|system| system.front(level));
+        each.reduce(|all, own| Front {
+            set: all.set.rotate_left(1) ^ own.set,
+            depth: all.depth.max(own.depth),
+        })
+        .unwrap_or_default()
     }
 
     fn update(&mut self, increment: &[f64]) {

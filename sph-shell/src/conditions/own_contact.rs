@@ -1,6 +1,6 @@
 //! A shell that may touch itself: forces, tangent, and how they shorten a step in time.
 
-use contact::{Deepest, Felt, Law, Moving, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
+use contact::{Deepest, Law, Moving, NodalContact, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
 use sph_core::Vec3;
 
 use crate::conditions::loads::{Block, place_block};
@@ -140,10 +140,10 @@ impl SelfContact {
     }
 
     /// What each particle feels of it, for the forces last evaluated.
-    pub fn felt(&self, felt: &mut [Felt]) {
-        let mut own = vec![Felt::default(); felt.len()];
-        self.contact.felt(0, &mut own);
-        felt.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
+    pub fn nodal_contact(&self, nodal: &mut [NodalContact]) {
+        let mut own = vec![NodalContact::default(); nodal.len()];
+        self.contact.nodal_contact(0, &mut own);
+        nodal.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
     }
 
     /// Gaps at some particles in a state ([`SurfaceContact::gaps`]).
@@ -165,6 +165,11 @@ impl SelfContact {
     /// Makes the anchors of the forces last evaluated those that count.
     pub fn commit(&mut self) {
         self.contact.commit();
+    }
+
+    /// Lets what is near in a state, and touches nothing, rub from there when it comes to touch.
+    pub fn hover(&mut self, state: &[Row]) {
+        self.contact.hover(place(state));
     }
 
     /// Takes up the history of its friction; false, and nothing changed, if it is that of another shell.

@@ -1,11 +1,13 @@
 //! Rigid tools that a shell may touch: they push by a potential, in every analysis, and move as level and time say.
 
-use contact::{Felt, Friction, Law, Pose, Surface, ToolContact, ToolShape, Touch, Watch};
+use contact::{Friction, Law, NodalContact, Pose, Surface, ToolContact, ToolShape, Touch, Watch};
 use explicit_dynamics::{Amplitude, Instant};
+use implicit_statics::Front;
 use sph_core::Vec3;
 
 use crate::conditions::case::LoadCase;
 use crate::conditions::loads::{Block, place_block};
+use crate::conditions::stages::{self, Stages};
 use crate::error::ShellError;
 use crate::packs::Row;
 use crate::reference::Reference;
@@ -41,6 +43,8 @@ const FASTEST: f64 = 2.0;
 #[derive(Clone, Debug)]
 struct Touched {
     contact: ToolContact,
+    /// Its law and stiffness, which a stage of Newton's method may soften.
+    own: (Law, f64),
     watch: Watch,
     friction: Option<Friction>,
     /// How far it has moved and turned at level one.
@@ -62,6 +66,7 @@ pub(crate) struct Tools {
     lost: Vec<f64>,
     /// Whether any of the forces is not zero.
     touching: bool,
+    stages: Stages,
     origin: Vec3,
     /// No particle of a march is faster \[L/T\].
     fastest: f64,
@@ -70,11 +75,16 @@ pub(crate) struct Tools {
 }
 
 impl Tools {
-    /// The tools of a shell with half of its thickness at each particle \[L\].
+    /// The tools of a shell with half of its thickness at each particle \[L\], and the stages in which its contact may be softened.
     ///
     /// # Errors
     /// [`ShellError`] for shapes without sense, a stiffness that is not positive, and a friction that is negative.
-    pub fn new(tools: Vec<Tool>, reference: &Reference, half: &[f64]) -> Result<Self, ShellError> {
+    pub fn new(
+        tools: Vec<Tool>,
+        reference: &Reference,
+        half: &[f64],
+        stages: Stages,
+    ) -> Result<Self, ShellError> {
         let cloud = &reference.cloud;
         let surface = Surface::new(&cloud.cells, &cloud.positions, |a| half[a as usize]);
         let touched = |tool: Tool| {
@@ -88,7 +98,15 @@ impl Tools {
             let rubs = rubs.ok_or(ShellError::ToolFriction(friction))?;
             let friction = if friction > 0.0 { Some(rubs) } else { None };
             let motion = Pose { moved, angle: turn };
-            Ok(Touched { contact, watch, friction, motion, amplitude, stood: Pose::default() })
+            Ok(Touched {
+                contact,
+                own: (law, stiffness),
+                watch,
+                friction,
+                motion,
+                amplitude,
+                stood: Pose::default(),
+            })
         };
         let tools = tools.into_iter().map(touched).collect::<Result<Vec<_>, ShellError>>()?;
         let rough = tools.iter().any(|tool| tool.friction.is_some());
@@ -98,6 +116,7 @@ impl Tools {
             forces: vec![[0.0; 6]; cloud.len()],
             lost: vec![0.0; if rough { cloud.len() } else { 0 }],
             touching: false,
+            stages,
             origin: reference.origin,
             fastest: FASTEST * reference.sound_speed,
             time: f64::INFINITY,
@@ -161,6 +180,34 @@ impl Tools {
         self.tools.iter().map(gap).collect()
     }
 
+    /// The lengths of stages softer than any of them, ascending in stiffness; none where one has friction, whose slip goes by the way taken.
+    pub fn stages(&self) -> Vec<f64> {
+        if self.remember() {
+            return Vec::new();
+        }
+        let stiffest = self.tools.iter().map(|tool| tool.own.1).fold(0.0, f64::max);
+        self.stages.softer_than(stiffest).collect()
+    }
+
+    /// Softens them to a stage, without a barrier; none: back to their own law.
+    pub fn soften(&mut self, stage: Option<f64>) {
+        for Touched { contact, own: (law, stiffness), .. } in &mut self.tools {
+            contact.stiffness = self.stages.softened(*stiffness, stage);
+            contact.law = if stage.is_some() { law.open() } else { *law };
+        }
+    }
+
+    /// Takes what touches them at an instant of a load case into what is known of that.
+    pub fn see(&self, at: Instant, under_way: LoadCase, state: &[Row], front: &mut Front) {
+        for tool in &self.tools {
+            let moved = tool.pose(at, under_way, &self.origin).moved;
+            tool.contact.each_touching(&moved, place(state), |number, depth| {
+                stages::take(front, u64::from(number), depth);
+            });
+            stages::take(front, u64::from(u32::MAX), 0.0);
+        }
+    }
+
     /// Force of all tools on a particle, for the forces last evaluated.
     pub fn force(&self, particle: usize) -> Vec3 {
         self.forces.get(particle).map_or_else(Vec3::zeros, |row| Vec3::new(row[0], row[1], row[2]))
@@ -174,13 +221,20 @@ impl Tools {
     }
 
     /// What each particle feels of all tools, where they stood as forces were last evaluated.
-    pub fn felt(&self, state: &[Row], felt: &mut [Felt]) {
-        let mut own = vec![Felt::default(); felt.len()];
+    pub fn nodal_contact(&self, state: &[Row], nodal: &mut [NodalContact]) {
+        let mut own = vec![NodalContact::default(); nodal.len()];
         for Touched { contact, friction, stood, .. } in &self.tools {
-            own.fill(Felt::default());
-            contact.felt(friction.as_ref(), stood, place(state), &mut own);
-            felt.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
+            own.fill(NodalContact::default());
+            contact.nodal_contact(friction.as_ref(), stood, place(state), &mut own);
+            nodal.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
         }
+    }
+
+    /// The shape of each tool at level zero, and how far it had moved and turned, from zero, as forces were last evaluated.
+    pub fn stood(&self) -> impl Iterator<Item = (ToolShape, Pose)> {
+        self.tools.iter().map(|Touched { contact, stood, .. }| {
+            (contact.tool, Pose { moved: stood.moved + self.origin, ..*stood })
+        })
     }
 
     /// The place that is deepest in a tool, likewise, from the origin \[L\]; none without such a tool.

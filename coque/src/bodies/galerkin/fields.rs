@@ -54,6 +54,8 @@ impl FieldSource for Content<'_> {
         match part {
             Part::Surface | Part::Extruded => self.nodes(to),
             Part::Points => self.points(to),
+            // It has none.
+            Part::Tools => Ok(()),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use contact::Felt;
+use contact::NodalContact;
 use explicit_dynamics::Dynamics;
 use rigid_body::{RestingBody, RigidBody};
 use sph_core::Vec3;
@@ -43,12 +43,13 @@ impl Body for RigidBody {
         fields(self, shown)
     }
 
-    fn felt(&self, _: usize) -> Vec<Felt> {
-        vec![Felt::default(); self.len()]
+    fn nodal_contact(&self, _: usize) -> Vec<NodalContact> {
+        vec![NodalContact::default(); self.len()]
     }
 
+    /// Its surface.
     fn outlines(&self) -> Vec<Outline> {
-        vec![Outline::of_cells(self.len(), self.cells().to_vec(), 0.0, false)]
+        vec![Outline::of_cells(self.rest().len(), self.cells().to_vec(), 0.0, false)]
     }
 
     fn state(&self) -> Vec<StateArray<'_>> {
@@ -81,8 +82,8 @@ impl Body for RestingBody {
         fields(self.body(), shown)
     }
 
-    fn felt(&self, body: usize) -> Vec<Felt> {
-        self.body().felt(body)
+    fn nodal_contact(&self, body: usize) -> Vec<NodalContact> {
+        self.body().nodal_contact(body)
     }
 
     fn outlines(&self) -> Vec<Outline> {

@@ -2,7 +2,7 @@
 
 use std::ops::DerefMut;
 
-use contact::Felt;
+use contact::NodalContact;
 use explicit_dynamics::{Dynamics, Exert};
 use sph_core::Vec3;
 use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
@@ -15,7 +15,7 @@ use super::warnings::{among_preloaded_modes, between_lines};
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray, StaticBody};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{ContactNow, FeltFields, FieldRequest, FieldSource, Outline, Resultant};
+use crate::bodies::{ContactFields, ContactNow, FieldRequest, FieldSource, Outline, Resultant};
 use crate::scene::Measured;
 
 /// What a checkpoint calls the lists of a shell that touches itself.
@@ -53,16 +53,20 @@ impl Body for Shell {
     }
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
-        let felt = if shown.contact { FeltFields::of(self, 0) } else { FeltFields::default() };
-        fields(self, shown, felt)
+        let nodal = if shown.contact { self.contact_fields(0) } else { ContactFields::default() };
+        fields(self, shown, nodal)
     }
 
-    fn fields_felt<'a>(&'a self, shown: &FieldRequest<'a>, felt: FeltFields) -> Box<dyn FieldSource + 'a> {
-        fields(self, shown, felt)
+    fn fields_with_contact<'a>(
+        &'a self,
+        shown: &FieldRequest<'a>,
+        nodal: ContactFields,
+    ) -> Box<dyn FieldSource + 'a> {
+        fields(self, shown, nodal)
     }
 
-    fn felt(&self, _body: usize) -> Vec<Felt> {
-        if self.may_touch() { Shell::felt(self) } else { vec![Felt::default(); self.len()] }
+    fn nodal_contact(&self, _body: usize) -> Vec<NodalContact> {
+        if self.may_touch() { Shell::nodal_contact(self) } else { vec![NodalContact::default(); self.len()] }
     }
 
     fn gaps(&self, _body: usize, particles: &[u32]) -> Vec<f64> {
@@ -71,6 +75,10 @@ impl Body for Shell {
 
     fn contacts(&self) -> Vec<ContactNow> {
         contacts(self)
+    }
+
+    fn has_tools(&self, _body: usize) -> bool {
+        Shell::has_tools(self)
     }
 
     fn outlines(&self) -> Vec<Outline> {
@@ -152,12 +160,16 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
         self.shell().fields(shown)
     }
 
-    fn fields_felt<'a>(&'a self, shown: &FieldRequest<'a>, felt: FeltFields) -> Box<dyn FieldSource + 'a> {
-        fields(self.shell(), shown, felt)
+    fn fields_with_contact<'a>(
+        &'a self,
+        shown: &FieldRequest<'a>,
+        nodal: ContactFields,
+    ) -> Box<dyn FieldSource + 'a> {
+        fields(self.shell(), shown, nodal)
     }
 
-    fn felt(&self, body: usize) -> Vec<Felt> {
-        Body::felt(self.shell(), body)
+    fn nodal_contact(&self, body: usize) -> Vec<NodalContact> {
+        Body::nodal_contact(self.shell(), body)
     }
 
     fn gaps(&self, body: usize, particles: &[u32]) -> Vec<f64> {
@@ -166,6 +178,10 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
 
     fn contacts(&self) -> Vec<ContactNow> {
         self.shell().contacts()
+    }
+
+    fn has_tools(&self, _body: usize) -> bool {
+        self.shell().has_tools()
     }
 
     fn outlines(&self) -> Vec<Outline> {

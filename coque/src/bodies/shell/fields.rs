@@ -11,8 +11,9 @@ use sph_shell::{Formulation, PointResult, Shell};
 
 use super::indicator::indicator;
 use super::linear_forces::LinearForces;
+use super::tool_shapes;
 use crate::bodies::sampled::{face_stress, von_mises};
-use crate::bodies::{FeltFields, FieldRequest, FieldSource, Part, State};
+use crate::bodies::{ContactFields, FieldRequest, FieldSource, Part, State};
 use crate::scene::ShellFace;
 use crate::scene::units::Quantity;
 
@@ -25,7 +26,7 @@ const ACROSS: &[&str] = &["1", "2"];
 pub(crate) fn fields<'a>(
     shell: &'a Shell,
     shown: &FieldRequest<'a>,
-    felt: FeltFields,
+    nodal: ContactFields,
 ) -> Box<dyn FieldSource + 'a> {
     let linear = shown.forces.and_then(|row| LinearForces::of(shell).with_numbers(row));
     // Where nothing is in balance and nothing moves there are no forces to show: neither stresses nor reactions.
@@ -43,7 +44,7 @@ pub(crate) fn fields<'a>(
             results
         })
     });
-    Box::new(Content { shell, shown: *shown, forces, results, reactions, felt })
+    Box::new(Content { shell, shown: *shown, forces, results, reactions, nodal })
 }
 
 /// What is written of one frame.
@@ -57,7 +58,7 @@ struct Content<'a> {
     /// Reactions of a linear answer \[F\].
     reactions: Option<Vec<Vec3>>,
     /// What each particle feels of contact; nothing where that is not asked for.
-    felt: FeltFields,
+    nodal: ContactFields,
 }
 
 impl FieldSource for Content<'_> {
@@ -65,6 +66,7 @@ impl FieldSource for Content<'_> {
         match part {
             Part::Surface => self.surface(to),
             Part::Extruded => self.extruded(to),
+            Part::Tools => tool_shapes::write(self.shell, &self.shown.units, to),
             // The checks leave a shell no other part.
             Part::Points => Ok(()),
         }
@@ -187,18 +189,18 @@ impl Content<'_> {
 
     /// What each particle feels of contact: normal force and friction over its area, its gap, and whether it sticks.
     fn contact(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
-        let FeltFields { felt, gaps } = &self.felt;
+        let ContactFields { nodal, gaps } = &self.nodal;
         let touches = gaps.iter().any(|gap| gap.is_finite());
-        if felt.len() != self.shell.len() || !touches || !self.forces {
+        if nodal.len() != self.shell.len() || !touches || !self.forces {
             return Ok(());
         }
-        let pressure = rows(felt.len(), |a| [felt[a].pressure() as f32]);
+        let pressure = rows(nodal.len(), |a| [nodal[a].pressure() as f32]);
         self.put(to, At::Points, "contact_pressure", Quantity::Stress, &[], Values::Single(&pressure))?;
-        let shear = rows(felt.len(), |a| xyz(felt[a].shear()).map(|value| value as f32));
+        let shear = rows(nodal.len(), |a| xyz(nodal[a].shear()).map(|value| value as f32));
         self.put(to, At::Points, "contact_shear", Quantity::Stress, XYZ, Values::Single(&shear))?;
-        let gap = rows(felt.len(), |a| [gaps[a] as f32]);
+        let gap = rows(nodal.len(), |a| [gaps[a] as f32]);
         self.put(to, At::Points, "contact_gap", Quantity::Length, &[], Values::Single(&gap))?;
-        let grip = rows(felt.len(), |a| match felt[a].grip {
+        let grip = rows(nodal.len(), |a| match nodal[a].grip {
             Grip::Apart => [0.0],
             Grip::Sticks => [1.0],
             Grip::Slips => [2.0],

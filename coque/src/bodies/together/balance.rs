@@ -1,6 +1,6 @@
 //! Several bodies whose equilibria are sought: all of it is that of the systems together.
 
-use implicit_statics::{Equilibrium, OutOfBounds};
+use implicit_statics::{Equilibrium, Front, OutOfBounds};
 use sph_core::Vec3;
 
 use super::body::Together;
@@ -87,6 +87,18 @@ impl Equilibrium for Together<Balanced> {
 
     fn reach(&mut self, increment: &[f64]) -> f64 {
         self.system.reach(increment)
+    }
+
+    fn stages_of_contact(&self) -> Vec<f64> {
+        self.system.stages_of_contact()
+    }
+
+    fn soften_contact(&mut self, length: Option<f64>) {
+        self.system.soften_contact(length);
+    }
+
+    fn front(&mut self, level: f64) -> Front {
+        self.system.front(level)
     }
 
     fn update(&mut self, increment: &[f64]) {

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use contact::Felt;
+use contact::NodalContact;
 use sph_core::Vec3;
 
 use super::contact::TouchingBodies;
@@ -12,7 +12,7 @@ use super::parts::Parts;
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, Mismatch, StateArray};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{ContactNow, FeltFields, FieldRequest, FieldSource, Outline};
+use crate::bodies::{ContactNow, FieldRequest, FieldSource, Outline};
 use crate::scene::Measured;
 
 /// Bodies that are solved together, with their places one behind the other.
@@ -77,17 +77,23 @@ impl<S: Parts> Body for Together<S> {
         let range = self.layout.forces.get(body).cloned();
         let forces = shown.forces.zip(range).map(|(forces, range)| &forces[range]);
         let (part, shown) = (self.system.each()[body], FieldRequest { forces, ..*shown });
-        if shown.contact { part.fields_felt(&shown, FeltFields::of(self, body)) } else { part.fields(&shown) }
+        if shown.contact {
+            part.fields_with_contact(&shown, self.contact_fields(body))
+        } else {
+            part.fields(&shown)
+        }
     }
 
     fn place(&self, particle: usize) -> (usize, usize) {
         self.layout.place(particle)
     }
 
-    fn felt(&self, body: usize) -> Vec<Felt> {
-        let mut felt = self.system.each().get(body).map_or_else(Vec::new, |part| part.felt(0));
-        self.touching().for_each(|contact| contact.felt(body, &mut felt));
-        felt
+    fn nodal_contact(&self, body: usize) -> Vec<NodalContact> {
+        let mut nodal = self.system.each().get(body).map_or_else(Vec::new, |part| part.nodal_contact(0));
+        // A body other than a shell touches nothing by itself.
+        nodal.resize(self.layout.particles.get(body).map_or(0, Range::len), NodalContact::default());
+        self.touching().for_each(|contact| contact.nodal_contact(body, &mut nodal));
+        nodal
     }
 
     fn gaps(&self, body: usize, particles: &[u32]) -> Vec<f64> {
@@ -108,6 +114,10 @@ impl<S: Parts> Body for Together<S> {
         let places = |number: usize| parts[number].configuration().present;
         let between = self.touching().map(|contact| contact.now(places));
         parts.iter().enumerate().flat_map(own).chain(between).collect()
+    }
+
+    fn has_tools(&self, body: usize) -> bool {
+        self.system.each().get(body).is_some_and(|part| part.has_tools(0))
     }
 
     fn outlines(&self) -> Vec<Outline> {

@@ -291,8 +291,10 @@ impl implicit_statics::Interaction for TouchingBodies {
         self.contact.take_up_history(history);
     }
 
-    fn commit(&mut self) {
+    fn commit(&mut self, places: &[[f64; 3]]) {
         self.contact.commit();
+        let skin = &self.skin;
+        self.contact.hover(|node| skin.place(places, node));
     }
 
     fn lost_at(&self, place: usize) -> f64 {

@@ -5,7 +5,7 @@ use sph_core::{Cell, Vec3};
 use super::look::Look;
 use crate::scene::ToolScene;
 
-/// Sag of a cell over half of the thickness from which it is told.
+/// Sag of a cell over half of the thickness from which it is reported.
 const SAG: f64 = 0.1;
 
 /// Between particles on a tool of radius R a cell of length h sags by h²/8R towards it: its middle is pressed, its corners stand off.

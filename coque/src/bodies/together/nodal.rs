@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use contact::{Felt, Node};
+use contact::{NodalContact, Node};
 use sph_core::Vec3;
 
 use super::contact::TouchingBodies;
@@ -35,12 +35,12 @@ impl TouchingBodies {
     }
 
     /// Adds what each particle of a body feels, where it is one of the two; what a node feels goes to the particles that carry it.
-    pub fn felt(&self, body: usize, felt: &mut [Felt]) {
+    pub fn nodal_contact(&self, body: usize, nodal: &mut [NodalContact]) {
         let Some(side) = self.bodies().iter().position(|own| *own == body) else { return };
         let count = self.skin.nodes(side).last().map_or(0, |(_, node)| node as usize + 1);
-        let mut of_nodes = vec![Felt::default(); count];
-        self.contact.felt(side, &mut of_nodes);
-        let mut own = vec![Felt::default(); felt.len()];
+        let mut of_nodes = vec![NodalContact::default(); count];
+        self.contact.nodal_contact(side, &mut of_nodes);
+        let mut own = vec![NodalContact::default(); nodal.len()];
         for node in self.skin.nodes(side) {
             let whole = of_nodes[node.1 as usize];
             self.skin.each(node, |place, weight| {
@@ -51,7 +51,7 @@ impl TouchingBodies {
                 sum.of = of;
             });
         }
-        felt.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
+        nodal.iter_mut().zip(&own).for_each(|(sum, own)| sum.join(own));
     }
 
     /// Gaps at some particles of a body, where it is one of the two, all particles of a body being at `places` \[L\]; the least of those of

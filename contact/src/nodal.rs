@@ -11,6 +11,8 @@ use crate::touch::ToolContact;
 
 /// Contact distances D up to which gaps of surfaces are looked for.
 const REACH: f64 = 10.0;
+/// The same of a surface with itself: beyond, parts that lie along the surface are as near.
+const REACH_ITSELF: f64 = 0.5;
 /// Part of the most that friction bears at which it counts as slipping.
 const SLIPS: f64 = 1.0 - 1e-9;
 
@@ -28,7 +30,7 @@ pub enum Grip {
 
 /// What a node feels of contact: its own vertex, and its share of the middles of quadrilaterals about it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Felt {
+pub struct NodalContact {
     /// Greatest depth of any of them over the distance at which faces touch \[–\], zero where none touches.
     pub depth: f64,
     /// Area of those that touch \[L²\].
@@ -43,7 +45,7 @@ pub struct Felt {
     pub grip: Grip,
 }
 
-impl Felt {
+impl NodalContact {
     /// Takes in what the node feels of another contact.
     pub fn join(&mut self, other: &Self) {
         self.depth = self.depth.max(other.depth);
@@ -73,18 +75,18 @@ impl Felt {
 
 impl ToolContact {
     /// What each particle feels of the tool in a pose; friction as it was last evaluated.
-    pub fn felt(
+    pub fn nodal_contact(
         &self,
         friction: Option<&Friction>,
         pose: &Pose,
         at: impl Fn(u32) -> Vec3,
-        felt: &mut [Felt],
+        nodal: &mut [NodalContact],
     ) {
         let frame = ToolFrame::new(&self.tool, pose);
         for (number, vertex) in (0..).zip(self.surface.vertices()) {
             let Face { distance, .. } = self.tool.face(&vertex.place(&at), &pose.moved);
             let depth = 1.0 - distance / vertex.half;
-            let mut own = Felt { of: vertex.area * vertex.share(), ..Felt::default() };
+            let mut own = NodalContact { of: vertex.area * vertex.share(), ..NodalContact::default() };
             if depth > 0.0 {
                 let [_, slope, _] = self.law.at(depth);
                 let stiff = self.stiffness * vertex.area;
@@ -94,10 +96,10 @@ impl ToolContact {
                 let slips = rubbed.norm() >= SLIPS * most * pressed;
                 let grip = if slips { Grip::Slips } else { Grip::Sticks };
                 let (pressed, rubbed) = (pressed * vertex.share(), rubbed * vertex.share());
-                own = Felt { depth, area: own.of, pressed, rubbed, grip, ..own };
+                own = NodalContact { depth, area: own.of, pressed, rubbed, grip, ..own };
             }
             for &a in vertex.nodes() {
-                let sum = &mut felt[a as usize];
+                let sum = &mut nodal[a as usize];
                 let of = sum.of + own.of;
                 sum.join(&own);
                 sum.of = of;
@@ -117,9 +119,9 @@ impl ToolContact {
 
 impl SurfaceContact {
     /// What each node of a body feels, for the state last looked at.
-    pub fn felt(&self, body: usize, felt: &mut [Felt]) {
+    pub fn nodal_contact(&self, body: usize, nodal: &mut [NodalContact]) {
         for vertex in self.meshes()[body].surface().vertices() {
-            vertex.nodes().iter().for_each(|&a| felt[a as usize].of += vertex.area * vertex.share());
+            vertex.nodes().iter().for_each(|&a| nodal[a as usize].of += vertex.area * vertex.share());
         }
         let mut last = None;
         for number in 0..self.touched() {
@@ -129,22 +131,22 @@ impl SurfaceContact {
                 let area = if last == Some(vertex) { 0.0 } else { own.area * own.share() };
                 last = Some(vertex);
                 for &a in own.nodes() {
-                    let sum = &mut felt[a as usize];
+                    let sum = &mut nodal[a as usize];
                     (sum.depth, sum.area, sum.grip) = (sum.depth.max(depth), sum.area + area, Grip::Slips);
                 }
             }
             self.each_push(number, |(of, a), force| {
                 if of == body {
-                    felt[a as usize].pressed += force;
+                    nodal[a as usize].pressed += force;
                 }
             });
         }
         // Coefficients of features that cancel leave rounding.
-        felt.iter_mut().for_each(|own| own.pressed = own.pressed.max(0.0));
+        nodal.iter_mut().for_each(|own| own.pressed = own.pressed.max(0.0));
     }
 
     /// Gap between the faces of the surfaces at some nodes of a body \[L\], negative where they are in each other: at most ten times the
-    /// distance at which faces touch, beyond which nothing is looked for.
+    /// distance at which faces touch, of a surface with itself half of it, beyond which nothing is looked for.
     pub fn gaps(&self, body: usize, nodes: &[u32], at: impl Fn(Node) -> Vec3) -> Vec<f64> {
         let last = self.meshes().len() - 1;
         let (other, distance) = (last - body.min(last), self.touching().distance);
@@ -158,7 +160,7 @@ impl SurfaceContact {
             corners(face).iter().fold(0.0_f64, |most, corner| most.max((corner - middle).norm_squared()))
         };
         let largest = mesh.faces().iter().zip(&middles).map(size).fold(0.0, f64::max).sqrt();
-        let reach = (1.0 + REACH) * distance;
+        let reach = (1.0 + if self.is_with_itself() { REACH_ITSELF } else { REACH }) * distance;
         let boxes = CellList::new(&middles, reach + largest);
         let mut near = Vec::new();
         let gap = |&a: &u32| {
