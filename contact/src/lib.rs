@@ -74,7 +74,7 @@
 //! | two surfaces, or one with itself; forces, tangent, bounds of them | `surfaces.rs`; `surfaces/acting.rs` |
 //! | κ | `stiffness.rs` |
 //! | friction on tools, its anchors, what it loses | `friction.rs` |
-//! | friction of surfaces on each other, anchors in their faces | `surfaces/rubbing.rs`, `grips.rs` |
+//! | friction of surfaces on each other, anchors in their faces | `surfaces/rubbing.rs`; their history `surfaces/remembering.rs`, `grips.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
 //! | springs between places of two bodies | `joints.rs` |
 //!

@@ -1,9 +1,11 @@
 //! Two shells that may touch: from the scene's words to what acts between systems.
 
-use contact::{Law, Mesh, Moving, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
+use contact::{Law, Mesh, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
 use explicit_dynamics::{OutOfBounds, OutOfRange, Places};
 use nalgebra::Matrix3;
 use sph_core::Vec3;
+
+use super::moving::{MovingPlaces, number, place};
 
 /// How much farther than they touch parts are listed, over the lesser spacing.
 const SKIN: f64 = 0.3;
@@ -369,35 +371,4 @@ impl TouchingBodies {
         let numbers = &self.numbers;
         Pace::new(&self.contact, |node| masses[number(numbers, node)])
     }
-}
-
-/// Places that move.
-struct MovingPlaces<'a> {
-    numbers: &'a [Vec<u32>; 2],
-    now: &'a Places<'a>,
-}
-
-impl Moving for MovingPlaces<'_> {
-    fn mass(&self, node: Node) -> f64 {
-        self.now.masses[number(self.numbers, node)]
-    }
-
-    fn velocity(&self, node: Node) -> Vec3 {
-        place(self.numbers, self.now.velocities, node)
-    }
-
-    fn greatest_speed(&self) -> f64 {
-        let all = || self.now.velocities.iter().map(|&v| Vec3::from(v));
-        let mean = all().sum::<Vec3>() / self.now.velocities.len().max(1) as f64;
-        all().map(|v| (v - mean).norm_squared()).fold(0.0, f64::max).sqrt()
-    }
-}
-
-/// Number of a node among the places.
-fn number(numbers: &[Vec<u32>; 2], (side, a): Node) -> usize {
-    numbers[side][a as usize] as usize
-}
-
-fn place(numbers: &[Vec<u32>; 2], places: &[[f64; 3]], node: Node) -> Vec3 {
-    Vec3::from(places[number(numbers, node)])
 }

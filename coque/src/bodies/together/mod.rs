@@ -11,5 +11,6 @@ mod contact;
 mod joints;
 mod layout;
 mod march;
+mod moving;
 mod parts;
 mod touched;
