@@ -161,7 +161,7 @@ impl RigidBody {
     }
 
     /// A motion of mass-scaled coordinates, in which turns go by principal axes: `M^{-½} v` without what supports hold.
-    pub(crate) fn from_scaled(&self, v: &[f64]) -> [Vec3; 2] {
+    pub(crate) fn unscaled_motion(&self, v: &[f64]) -> [Vec3; 2] {
         let place = self.hold.free_part(&Vec3::new(v[0], v[1], v[2])) / self.mass.sqrt();
         let turn = self.free_scaled(Vec3::new(v[3], v[4], v[5])).component_div(&self.moments.map(f64::sqrt));
         [place, self.motion.turn.axes() * turn]
@@ -194,7 +194,7 @@ impl LinearisedDynamics for RigidBody {
     }
 
     fn apply(&mut self, v: &[f64], out: &mut [f64]) {
-        let [place, turn] = self.from_scaled(v);
+        let [place, turn] = self.unscaled_motion(v);
         let forces = self.stiffness() * stacked(&place, &turn);
         let [force, moment] = [0, 3].map(|k| Vec3::new(forces[k], forces[k + 1], forces[k + 2]));
         out.copy_from_slice(self.to_scaled(&Wrench { force, moment }).as_slice());
