@@ -49,7 +49,7 @@ impl Joinable for RigidBody {
         for (&a, &force) in particles.iter().zip(forces) {
             wrench.add(&Vec3::from(force), &(axes * self.arms[a as usize]));
         }
-        let scaled = self.to_scaled(&wrench);
+        let scaled = self.scaled_wrench(&wrench);
         out.iter_mut().zip(scaled.iter()).for_each(|(sum, part)| *sum += part);
     }
 }

@@ -168,7 +168,7 @@ impl RigidBody {
     }
 
     /// Force and moment in mass-scaled coordinates: `M^{-½} f` without what supports hold.
-    pub(crate) fn to_scaled(&self, wrench: &Wrench) -> Vector6<f64> {
+    pub(crate) fn scaled_wrench(&self, wrench: &Wrench) -> Vector6<f64> {
         let place = self.hold.free_part(&wrench.force) / self.mass.sqrt();
         let own = self.motion.turn.axes().tr_mul(&wrench.moment);
         stacked(&place, &self.free_scaled(own.component_div(&self.moments.map(f64::sqrt))))
@@ -197,13 +197,13 @@ impl LinearisedDynamics for RigidBody {
         let [place, turn] = self.unscaled_motion(v);
         let forces = self.stiffness() * stacked(&place, &turn);
         let [force, moment] = [0, 3].map(|k| Vec3::new(forces[k], forces[k + 1], forces[k + 2]));
-        out.copy_from_slice(self.to_scaled(&Wrench { force, moment }).as_slice());
+        out.copy_from_slice(self.scaled_wrench(&Wrench { force, moment }).as_slice());
     }
 }
 
 impl MassScaled for RigidBody {
     fn out_of_balance(&self, out: &mut [f64]) {
-        out.copy_from_slice(self.to_scaled(&(self.external - self.internal)).as_slice());
+        out.copy_from_slice(self.scaled_wrench(&(self.external - self.internal)).as_slice());
     }
 
     fn rates(&self, out: &mut [f64]) {
