@@ -94,7 +94,7 @@ section.homogeneous.thickness = 0.05
 tools = [{ name = "floor", plane = { point = [0, 0, -0.02499999], normal = [0, 0, 1] } }]
 supports = [{ on = "all", held = { displacement = [[1, 0, 0], [0, 1, 0]] } },
             { on = "all", spring = { stiffness = 1.0, direction = [0, 0, 1] } }]
-loads = [{ on = "all", force = { total = [0, 0, -300.0] } }]
+loads = [{ on = "all", gravity = { acceleration = [0, 0, -3.0] } }]
 analysis.static = { levels = 2 }
 output.fields.contact = true
 curve = [{ name = "depth", of = "greatest-depth", on = "all" },
@@ -119,8 +119,8 @@ fn columns_fields_and_summary_say_how_deep_a_plate_lies_in_a_plane() {
         (summary.between.as_str(), summary.set_by.as_deref()),
         ("the shell with the tool `floor`", Some("step"))
     );
-    // κ = .4 E t/h² of cells .2 by .2; depth u = p/κ.
-    let (stiffness, pressure) = (0.4 * 1e7 * 0.05 / 0.04, 150.0);
+    // κ = .4 E t/h² of cells .2 by .2, of the stiffness of a sheet whose width is held; depth u = p/κ.
+    let (stiffness, pressure) = (0.4 * (1e7 / 0.91) * 0.05 / 0.04, 150.0);
     assert!((summary.stiffness / stiffness - 1.0).abs() < 1e-12);
     let depth = pressure / stiffness;
     let near = |found: f64, exact: f64| assert!((found / exact - 1.0).abs() < 1e-6, "{found} for {exact}");
@@ -142,9 +142,9 @@ fn columns_fields_and_summary_say_how_deep_a_plate_lies_in_a_plane() {
 /// What pulls along a rough plane by less than friction bears sticks, by more it slips: shear is then μ times the pressure.
 #[test]
 fn fields_tell_what_sticks_from_what_slips() {
-    let pulled = |force: f64| {
+    let pulled = |along: f64| {
         let rough = ("tools[0].friction", "0.3");
-        let load = format!("[{{ on = 'all', force = {{ total = [{force}, 0, -300.0] }} }}]");
+        let load = format!("[{{ on = 'all', gravity = {{ acceleration = [{along}, 0, -3.0] }} }}]");
         let rope = "[{ on = 'all', spring = { stiffness = 1e3, direction = [1, 0, 0] } }, \
                     { on = 'all', spring = { stiffness = 1.0, direction = [0, 0, 1] } }, \
                     { on = 'all', held = { displacement = [[0, 1, 0]] } }]";
@@ -158,10 +158,10 @@ fn fields_tell_what_sticks_from_what_slips() {
         let shear = sheet.point_data["contact_shear"].numbers.chunks(3).map(|own| own[0]).collect::<Vec<_>>();
         (sheet.point_data["contact_grip"].numbers.clone(), shear)
     };
-    let (grip, shear) = pulled(45.0);
+    let (grip, shear) = pulled(0.45);
     assert!(grip.iter().all(|own| *own == 1.0), "{grip:?}");
     assert!(shear.iter().all(|own| *own < 0.0 && *own > -0.3 * 150.0), "{shear:?}");
-    let (grip, shear) = pulled(120.0);
+    let (grip, shear) = pulled(1.2);
     assert!(grip.iter().all(|own| *own == 2.0), "{grip:?}");
     assert!(shear.iter().all(|own| (own / -45.0 - 1.0).abs() < 1e-6), "{shear:?}");
 }
@@ -182,7 +182,7 @@ fn the_gap_of_a_shell_to_itself_is_straight_across() {
         let exact = (2.0 * b[i].abs() - 0.05).min(0.025);
         assert!((gap[i] - exact).abs() < 1e-6, "{} for {exact}", gap[i]);
         // Middles of the cells beside may be deeper than the particles.
-        assert!(depth[i] >= -gap[i] / 0.05 - 1e-12 && (depth[i] > 0.0) == (area[i] > 0.0));
+        assert!(depth[i] >= -gap[i] / 0.05 - 1e-12 && (depth[i] == 0.0 || area[i] > 0.0));
     }
     assert!((gap[0] - 0.025).abs() < 1e-12 && *gap.last().unwrap() < 0.0 && *area.last().unwrap() > 0.0);
     let contact = &outcome.summary.record.contacts[0];
@@ -217,7 +217,7 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     let short = record.shortened.unwrap();
     let said = reported(&flew, WarningKind::ShortenedStep).unwrap();
     assert!(
-        short.least < 0.5
+        short.least < 0.9
             && said.contains(&format!("contact made {} of {} steps", short.steps, record.steps)),
         "{said}"
     );
