@@ -131,7 +131,6 @@ fn columns_fields_and_summary_say_how_deep_a_plate_lies_in_a_plane() {
     near(summary.greatest_area, 2.0);
     // A row of cells hands a third of its area to the particles at one of its sides, half of the middles' third.
     near(last(&outcome, "edge"), 0.2);
-    assert!((outcome.curve.column("gap").unwrap()[0] + 1e-8).abs() < 1e-12);
     let field = |name: &str| sheet.point_data[name].numbers.clone();
     field("contact_pressure").iter().for_each(|own| near(*own, pressure));
     field("contact_gap").iter().for_each(|own| near(*own, -depth));
@@ -223,6 +222,7 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     );
     let [m, w, area, gap] = ["M", "W", "area", "gap"].map(|name| column(&flew, name));
     let most = m.iter().fold(0.0_f64, |most, m| most.max(m.abs()));
+    println!("{most:.3e} {m:?} {w:?}");
     assert!(most > 1.0 && m.iter().zip(&w).all(|(m, w)| (m + w).abs() < 1e-12 * most));
     assert!(area.iter().zip(&gap).any(|(area, gap)| *area > 0.0 && *gap < 0.0));
     let slow = outcome(THROWN, &[&[("analysis.explicit.transient.duration", "0.04")]]);
