@@ -128,6 +128,7 @@ pub mod fluid_structure;
 pub mod fluid_structure_forms;
 pub mod fluids;
 pub mod kirsch;
+pub mod on_flats;
 pub mod rolled_strip;
 pub mod touching;
 pub mod vibration;

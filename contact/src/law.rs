@@ -20,15 +20,17 @@ const THROUGH: f64 = 1.0 - 1e-9;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law {
     rounding: f64,
+    /// Whether the barrier is left out.
+    open: bool,
 }
 
 impl Law {
     /// The law without rounding.
-    pub const SHARP: Self = Self { rounding: 0.0 };
+    pub const SHARP: Self = Self { rounding: 0.0, open: false };
 
     /// A law with the rounding b \[–\] of its corner, from zero to an eighth, so that it ends before the barrier begins.
     pub fn new(rounding: f64) -> Option<Self> {
-        (0.0..=0.125).contains(&rounding).then_some(Self { rounding })
+        (0.0..=0.125).contains(&rounding).then_some(Self { rounding, open: false })
     }
 
     /// The rounding b \[–\].
@@ -36,18 +38,23 @@ impl Law {
         self.rounding
     }
 
+    /// The law without its barrier: quadratic at any depth, what is soft may come through.
+    pub fn open(self) -> Self {
+        Self { open: true, ..self }
+    }
+
     /// φ, its first and its second derivative at a relative depth \[–\].
     pub fn at(&self, depth: f64) -> [f64; 3] {
         if depth <= 0.0 {
             return [0.0; 3];
         }
-        let (s, b) = (depth.min(THROUGH), self.rounding);
+        let (s, b) = (if self.open { depth } else { depth.min(THROUGH) }, self.rounding);
         let [mut energy, mut slope, mut curvature] = if s < 2.0 * b {
             [s * s * s / (12.0 * b), s * s / (4.0 * b), s / (2.0 * b)]
         } else {
             [0.5 * (s - b) * (s - b) + b * b / 6.0, s - b, 1.0]
         };
-        if s > BARRIER {
+        if s > BARRIER && !self.open {
             let (beyond, left) = (s - BARRIER, 1.0 - s);
             let log = log(2.0 * left);
             energy -= beyond * beyond * log;
@@ -100,6 +107,7 @@ mod tests {
         assert_eq!(law.at(-0.1), [0.0; 3]);
         assert_eq!(law.at(0.25), [0.5 * 0.25 * 0.25, 0.25, 1.0]);
         assert!(law.at(1.5)[1] > 1e8 && law.at(f64::INFINITY)[1].is_finite());
+        assert_eq!(Law::new(0.0).unwrap().open().at(1.5), [0.5 * 1.5 * 1.5, 1.5, 1.0]);
         assert_eq!(Law::new(-0.1), None);
         assert_eq!(Law::new(0.2), None);
         assert_eq!(Law::new(f64::NAN), None);

@@ -75,7 +75,8 @@
 //! | κ | `stiffness.rs` |
 //! | what nodes feel of contact, to be read; gaps | `nodal.rs` |
 //! | bodies that are too near although nothing acts between them | `unseen.rs` |
-//! | friction, its anchors, what it loses | `friction.rs` |
+//! | friction on tools, its anchors, what it loses | `friction.rs` |
+//! | friction of surfaces on each other, anchors in their faces | `surfaces/rubbing.rs`, `grips.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
 //! | springs between places of two bodies | `joints.rs` |
 //!
@@ -100,6 +101,7 @@
 mod edges;
 mod euler;
 mod friction;
+mod grips;
 mod joints;
 mod law;
 mod list;

@@ -72,6 +72,13 @@ impl Mesh {
         Self { surface, faces, sides: Vec::new(), edges: Vec::new(), rims: Vec::new() }
     }
 
+    /// The same where particles that are vertices stand for other areas \[L²\] than thirds of all faces at them: at the edges of a solid faces of
+    /// several sides meet, of which a body presses on one.
+    pub fn with_areas(mut self, area: impl Fn(u32) -> f64) -> Self {
+        self.surface.put_areas(area);
+        self
+    }
+
     /// Whether it is particles without faces.
     pub(crate) fn is_of_points(&self) -> bool {
         self.edges.is_empty()

@@ -79,10 +79,7 @@ impl Pair {
     /// `∂²ψ/∂x_a∂x_b` for a potential of the slope ψ′ \[F\] and the curvature ψ″ \[F/L\] in the distance, at the places that the pair was made of.
     pub fn second(&self, places: &[Vec3], slope: f64, curvature: f64) -> [[Matrix3<f64>; 4]; 4] {
         let (w, n) = (&self.weights, &self.normal);
-        let mut along = [Vec3::zeros(); 2];
-        for (along, slopes) in along.iter_mut().zip(&self.slopes) {
-            *along = places.iter().zip(slopes).fold(Vec3::zeros(), |sum, (x, s)| sum + x * *s);
-        }
+        let along = self.along(places);
         let inverse = self.inverse(&along);
         let r = n * self.distance;
         let change = |k: usize, a: usize| r * self.slopes[k][a] + along[k] * w[a];
@@ -102,6 +99,33 @@ impl Pair {
             }
         }
         out
+    }
+
+    /// How far the foot moves along a direction t with each place, at the places that the pair was made of: `Σ_kl (t·T_k)(T·T)⁻¹_kl C_la`
+    /// \[–\]. What moves all of them rigidly does not move it.
+    pub fn dragged(&self, places: &[Vec3], direction: &Vec3) -> [Vec3; 4] {
+        let along = self.along(places);
+        let inverse = self.inverse(&along);
+        let r = self.normal * self.distance;
+        let mut out = [Vec3::zeros(); 4];
+        for (a, out) in out.iter_mut().enumerate().take(self.count) {
+            for k in 0..self.free {
+                for l in 0..self.free {
+                    let change = r * self.slopes[l][a] + along[l] * self.weights[a];
+                    *out += change * (inverse[(k, l)] * along[k].dot(direction));
+                }
+            }
+        }
+        out
+    }
+
+    /// `T_k = Σ ∂_k w_a x_a`.
+    fn along(&self, places: &[Vec3]) -> [Vec3; 2] {
+        let mut along = [Vec3::zeros(); 2];
+        for (along, slopes) in along.iter_mut().zip(&self.slopes) {
+            *along = places.iter().zip(slopes).fold(Vec3::zeros(), |sum, (x, s)| sum + x * *s);
+        }
+        along
     }
 
     /// `(T·T)⁻¹`.

@@ -89,6 +89,11 @@ impl Surface {
         Self { vertices: points.iter().map(vertex).collect(), particles: points.len() }
     }
 
+    /// Puts the areas of particles \[L²\].
+    pub(crate) fn put_areas(&mut self, area: impl Fn(u32) -> f64) {
+        self.vertices[..self.particles].iter_mut().for_each(|vertex| vertex.area = area(vertex.nodes[0]));
+    }
+
     /// All vertices: particles in their order, then middles in the order of the cells.
     pub fn vertices(&self) -> &[Vertex] {
         &self.vertices

@@ -3,6 +3,7 @@
 mod acting;
 mod following;
 mod reaching;
+mod rubbing;
 
 use sph_core::Vec3;
 
@@ -12,6 +13,7 @@ use crate::law::Law;
 use crate::list::List;
 use crate::mesh::{Mesh, Neighbours};
 use crate::pair::Pair;
+use rubbing::Rubbing;
 
 /// Reach along the surface over the contact distance within which parts of one surface never touch.
 const ALONG: f64 = 1.6;
@@ -60,6 +62,9 @@ pub struct SurfaceContact {
     touched: Touched,
     contacts: Vec<Contact>,
     pushed: Vec<Pushed>,
+    rubbing: Option<Box<Rubbing>>,
+    /// Factor on bounds of stiffness: what friction adds where faces tilt \[–\].
+    tilted: f64,
 }
 
 /// Vertices of one body against the faces of another, or of the same.
@@ -166,6 +171,8 @@ impl SurfaceContact {
             touched: Touched::default(),
             contacts: Vec::new(),
             pushed: Vec::new(),
+            rubbing: None,
+            tilted: 1.0,
         }
     }
 
@@ -221,6 +228,9 @@ impl SurfaceContact {
         if touching.edges {
             sum.energy += self.cross(&at);
         }
+        if self.rubbing.is_some() {
+            sum.energy += self.rub(&at);
+        }
         sum
     }
 
@@ -259,6 +269,7 @@ impl SurfaceContact {
             + places
             + self.meshes.iter().map(mesh).sum::<usize>()
             + self.near.as_ref().map_or(0, Neighbours::bytes)
+            + self.rubbing_bytes()
     }
 }
 

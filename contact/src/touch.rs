@@ -85,6 +85,16 @@ impl ToolContact {
         touch
     }
 
+    /// Hands every vertex that touches, by number and with its depth over the distance at which faces touch, to `visit`.
+    pub fn each_touching(&self, moved: &Vec3, at: impl Fn(u32) -> Vec3, mut visit: impl FnMut(u32, f64)) {
+        for (number, vertex) in (0..).zip(self.surface.vertices()) {
+            let depth = 1.0 - self.tool.face(&vertex.place(&at), moved).distance / vertex.half;
+            if depth > 0.0 {
+                visit(number, depth);
+            }
+        }
+    }
+
     /// Least gap between the faces of surface and tool \[L\], negative where they are in each other.
     pub fn least_gap(&self, moved: &Vec3, at: impl Fn(u32) -> Vec3) -> f64 {
         let gap = |vertex: &Vertex| self.tool.face(&vertex.place(&at), moved).distance - vertex.half;

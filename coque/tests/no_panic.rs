@@ -11,7 +11,7 @@ use common::fluids::{DAM, GATE, SHELL_GATE};
 use common::galerkin;
 use common::solids::{BAR, PLATE, SHEETS};
 use coque::scene::bounded::Positive;
-use coque::scene::{BodyScene, FluidGeometry, WallGeometry};
+use coque::scene::{BodyScene, FluidGeometry, RigidGeometry, WallGeometry};
 use coque::{Checked, Rendering, Scene, SceneError, render};
 use proptest::prelude::*;
 

@@ -2,6 +2,15 @@
 
 use crate::bounds::OutOfBounds;
 
+/// What touches in a state.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Front {
+    /// A number of the set of all that touches: another one of another set.
+    pub set: u64,
+    /// Greatest depth over the distance at which faces touch \[–\].
+    pub depth: f64,
+}
+
 /// A system whose equilibria `internal(q, λ) = external(q, λ)` are sought.
 ///
 /// Unknowns are the free degrees of freedom only: held ones are eliminated by the system, and stand where the level
@@ -121,6 +130,20 @@ pub trait Equilibrium {
     /// through each other. One, the default, where there are none.
     fn reach(&mut self, _increment: &[f64]) -> f64 {
         1.0
+    }
+
+    /// Lengths over which softened contact gives, longest first, for Newton's method to find what touches in stages \[L\]; none, the
+    /// default, where nothing touches or softening tells nothing.
+    fn stages_of_contact(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Softens contact so that it gives over a length at least; none: back to its own stiffness.
+    fn soften_contact(&mut self, _length: Option<f64>) {}
+
+    /// What touches in the present state, tools and held values at level λ.
+    fn front(&mut self, _level: f64) -> Front {
+        Front::default()
     }
 
     /// Moves the state by an increment in its present tangent space.

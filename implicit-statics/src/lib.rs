@@ -270,7 +270,7 @@ pub use breaking::Breach;
 pub use buckling::{BucklingMode, BucklingOptions, Sign, linear_buckling};
 pub use derivatives::{force_error, load_rate_error, stiffness_error, tangent_error};
 pub use effort::{Counted, Effort, Spectrum, Watch, unwatched};
-pub use equilibrium::{Equilibrium, row_sums};
+pub use equilibrium::{Equilibrium, Front, row_sums};
 pub use error::EquilibriumError;
 pub use follow::follow;
 pub use geometric::Prebuckling;

@@ -1,8 +1,11 @@
 //! Newton's method at a fixed load level, or with the level as one more unknown and one more equation.
 
 mod parts;
+mod stages;
 
 pub(crate) use parts::within_reach;
+
+use stages::{Iterated, Phase};
 
 use crate::effort::Effort;
 use crate::error::require;
@@ -216,20 +219,20 @@ impl Newton {
         }
     }
 
-    /// Iterates to equilibrium and constraint from the present (predicted) state at `level`; `increment` holds
-    /// what was predicted since the last equilibrium and takes up the corrections. The state is not put back.
+    /// Iterates to equilibrium and constraint from the present state at a level, or as far as the part goes ([`Phase`]).
     ///
     /// Where the system keeps factors, one serves as long as residuals fall fast; it serves the first correction as well if
     /// the state was predicted along the bend of its path. A correction by it that makes things worse is taken back.
-    pub(crate) fn correct<E: Equilibrium + ?Sized>(
+    fn iterate<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
-        mut level: f64,
+        at: &mut f64,
         increment: &mut Increment,
-        constraint: &Constraint,
-        bent: bool,
-    ) -> Result<Converged, EquilibriumError> {
-        self.most_negative = 0;
+        (constraint, bent): (&Constraint, bool),
+        phase: Phase,
+    ) -> Result<Iterated, EquilibriumError> {
+        let mut level = *at;
+        let (mut seen, mut share) = (0, 1.0);
         let keeps = system.keeps_factor()
             && self.options.keep > 0.0
             && !matches!(constraint, Constraint::Sphere { .. });
@@ -245,7 +248,8 @@ impl Newton {
             if scale == 0.0 {
                 scale = residuals[0];
             }
-            let asked = self.options.tolerance * scale * if before.is_some() { BY_ANOTHER } else { 1.0 };
+            let asked =
+                phase.tolerance(&self.options) * scale * if before.is_some() { BY_ANOTHER } else { 1.0 };
             let at_rest = rest <= AT_REST && size > STALLED * residuals[iterations - 1];
             let bound = if at_rest { asked.max(size) } else { asked };
             let moved = iterations > 0 || !matches!(constraint, Constraint::Level) || size == 0.0;
@@ -255,18 +259,18 @@ impl Newton {
                 }
                 let inertia = self.tangent(system, level)?;
                 self.force_scale = self.force_scale.max(norm(&self.external)).max(norm(&self.internal));
-                return Ok(Converged { level, iterations, residuals, bound, inertia });
+                *at = level;
+                return Ok(Iterated::Balanced(Converged { level, iterations, residuals, bound, inertia }));
             }
-            if iterations == self.options.iterations {
-                let (step, residual) = (self.step, size);
-                return Err(EquilibriumError::NotConverged {
-                    step,
-                    level,
-                    iterations,
-                    residual,
-                    bound,
-                    residuals,
-                });
+            let last = iterations == phase.iterations(&self.options);
+            if last && phase == Phase::Stage
+                || phase.walks(iterations, || system.front(level), &mut seen, share)
+            {
+                *at = level;
+                return Ok(Iterated::Cut(residuals));
+            }
+            if last {
+                return Err(self.not_converged(level, bound, residuals));
             }
 
             let serves = match iterations.checked_sub(1) {
@@ -292,7 +296,7 @@ impl Newton {
             }
             level += correction.level;
             increment.level += correction.level;
-            let share = match constraint {
+            share = match constraint {
                 Constraint::Level if self.options.line_search => {
                     self.search(system, level, &correction.motion)?
                 }

@@ -41,6 +41,8 @@ pub struct RigidBody {
     pub(crate) moments: Vec3,
     /// The turn at rest.
     pub(crate) upright: Turn,
+    /// The longest step in time \[T\].
+    pub(crate) longest: f64,
     pub(crate) motion: Motion,
     pub(crate) hold: Hold,
     pub(crate) loads: Vec<Load>,
@@ -102,6 +104,7 @@ impl RigidBody {
             mass: mass.mass,
             moments,
             upright,
+            longest: f64::INFINITY,
             motion: Motion { pole: mass.centre, turn: upright, velocity: still, spin: still, turned: still },
             rest,
             hold: Hold::new(&supports)?,
@@ -120,6 +123,11 @@ impl RigidBody {
     pub fn set_out(&mut self, velocity: &Vec3, spin: &Vec3) {
         self.motion.velocity = self.hold.free_part(velocity);
         self.motion.spin = self.resisted(&self.inertia_times(spin));
+    }
+
+    /// Bounds its steps in time: nothing else does where it neither turns nor hangs on springs \[T\].
+    pub fn bound_step(&mut self, longest: f64) {
+        self.longest = longest;
     }
 
     /// Number of particles.

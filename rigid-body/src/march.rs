@@ -86,7 +86,7 @@ impl Dynamics for RigidBody {
         }
     }
 
-    /// That of its springs on the masses of their particles; without springs there is no bound.
+    /// That of its springs on the masses of their particles, its present turns and the longest step.
     fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
         let particles: Vec<u32> = self.springs.iter().map(|spring| spring.particle).collect();
         let mut once = particles.clone();
@@ -98,13 +98,12 @@ impl Dynamics for RigidBody {
             sums[once.partition_point(|&other| other < spring.particle)] += spring.stiffness;
         }
         let square = sums.iter().zip(&masses).map(|(sum, mass)| sum / mass).fold(0.0, f64::max);
-        Ok(StableStep { dt: 2.0 * safety / square.sqrt(), holds: HOLDS })
+        let dt = self.turning_step().min(self.longest).min(2.0 * safety / square.sqrt());
+        Ok(StableStep { dt, holds: HOLDS })
     }
 
-    /// A step turns it by a fiftieth at most: by its moment of momentum over the least inertia, which a free motion keeps.
     fn shortened(&mut self, stable: f64, _safety: f64) -> f64 {
-        let most = self.motion.spin.norm() / self.moments.min();
-        if most > 0.0 { stable.min(TURN / most) } else { stable }
+        stable.min(self.turning_step())
     }
 
     fn within_bounds(&self, _: Bounds) -> Result<(), OutOfBounds> {
@@ -126,6 +125,11 @@ impl Dynamics for RigidBody {
 }
 
 impl RigidBody {
+    /// The step that turns it by a fiftieth of a radian: by its moment of momentum over the least inertia, which a free motion keeps \[T\].
+    fn turning_step(&self) -> f64 {
+        TURN * self.moments.min() / self.motion.spin.norm()
+    }
+
     /// Puts in what supports prescribe: velocities that bring the body where they have it after the drift.
     fn prescribe(&self, step: &Step, velocity: &mut Vec3, spin: &mut Vec3) {
         let dt = step.drift();

@@ -9,6 +9,7 @@ use crate::conditions::constraints::Constraints;
 use crate::conditions::loads::AppliedLoad;
 use crate::conditions::own_contact::{OwnContact, SelfContact};
 use crate::conditions::springs::Springs;
+use crate::conditions::stages::Stages;
 use crate::conditions::supports::Supported;
 use crate::conditions::tools::{Tool, Tools};
 use crate::dependents::Dependents;
@@ -233,7 +234,13 @@ impl ShellBuilder {
         junctions.check_springs(&springs.of_bodies)?;
         let tools = match tools.is_empty() {
             true => Tools::default(),
-            false => Tools::new(tools, &reference, &material.half_thickness(&reference)?)?,
+            false => {
+                let scales = material.scales();
+                let all = std::iter::once(scales.uniform).chain(scales.own);
+                let bending = all.map(|scales| scales.bending).fold(f64::INFINITY, f64::min);
+                let stages = Stages::new(&reference.cloud, bending);
+                Tools::new(tools, &reference, &material.half_thickness(&reference)?, stages)?
+            }
         };
         if own_contact.is_some() && !ties.is_empty() {
             return Err(ShellError::ContactOfTies);

@@ -285,6 +285,11 @@ impl Loading {
         couples.filter(|(_, couple)| *couple != Vec3::zeros()).collect()
     }
 
+    /// Energy that friction took on the way to the forces last evaluated, from what was committed \[F L\].
+    pub fn rubbed(&self) -> f64 {
+        self.tools.lost() + self.own_contact.as_ref().map_or(0.0, |own| own.friction().lost())
+    }
+
     /// Whether the shell may touch anything, itself or a tool.
     pub fn touches(&self) -> bool {
         !self.tools.is_empty() || self.own_contact.is_some()

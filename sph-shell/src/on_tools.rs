@@ -33,9 +33,9 @@ impl Shell {
         self.loading.tools.gap_at(particle, &self.motion.state)
     }
 
-    /// Whether any of them has friction.
+    /// Whether a tool has friction, or the shell where it touches itself.
     pub fn has_friction(&self) -> bool {
-        self.loading.tools.remember()
+        self.loading.tools.remember() || self.own_friction().is_some()
     }
 
     /// Force of all tools on a particle \[F\], for the forces last evaluated.
@@ -53,8 +53,9 @@ impl Shell {
         self.loading.tools.touches()
     }
 
-    /// Energy that friction on tools has taken at a particle \[F L\], until the last commit.
+    /// Energy that friction on tools and of the shell on itself has taken at a particle \[F L\], until the last commit.
     pub fn friction_loss(&self, particle: usize) -> f64 {
-        self.loading.tools.lost_at(particle)
+        let own = self.own_friction().map_or(0.0, |own| own.lost_at((0, particle as u32)));
+        self.loading.tools.lost_at(particle) + own
     }
 }

@@ -199,28 +199,32 @@ impl Shell {
         let Self { points, material, motion, loading, .. } = self;
         if let Some(own) = &mut loading.own_contact {
             own.moved();
+            own.commit();
         }
         points.commit(material.strain, &motion.state);
         loading.tools.commit();
     }
 
-    /// Whether its section has a memory, or a tool friction.
+    /// Whether its section has a memory, or what it touches friction.
     pub(crate) fn remembers(&self) -> bool {
-        !self.points.sections.histories().is_empty() || self.loading.tools.remember()
+        !self.points.sections.histories().is_empty() || self.has_friction()
     }
 
     /// The committed history of all points, and of what grips tools, which belongs to [`Shell::motion`] as a part of the state; empty without
     /// memory and friction.
     pub fn history(&self) -> Vec<f64> {
         let points = self.points.sections.histories().iter().flat_map(|pack| pack.numbers());
-        points.chain(self.loading.tools.history()).collect()
+        points.chain(self.own_friction_history()).chain(self.loading.tools.history()).collect()
     }
 
     /// Takes up a history that [`Shell::history`] gave, to the same bits; false if it is that of another shell.
     pub fn take_up_history(&mut self, history: &[f64]) -> bool {
         let points = self.points.sections.histories().iter().map(|pack| pack.count()).sum();
-        let Some((points, tools)) = history.split_at_checked(points) else { return false };
-        self.loading.tools.take_up(tools) && self.points.sections.take_up(points)
+        let Some((points, rest)) = history.split_at_checked(points) else { return false };
+        let Some((own, tools)) = self.split_own_friction(rest) else { return false };
+        self.loading.tools.take_up(tools)
+            && self.take_up_own_friction(own)
+            && self.points.sections.take_up(points)
     }
 
     /// Internal energy found by the last evaluation that was asked for it \[F L\]; of sections with memory what they have dissipated is in it.

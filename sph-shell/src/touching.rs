@@ -1,6 +1,6 @@
 //! What a shell touches, tools or itself, and what of that a checkpoint keeps.
 
-use contact::{Deepest, Mesh, NodalContact, SurfaceTouch};
+use contact::{Deepest, Mesh, NodalContact, SurfaceContact, SurfaceTouch};
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -81,6 +81,46 @@ impl Shell {
     pub fn deepest_in_tool(&self, tool: usize) -> Option<Vec3> {
         let place = self.loading.tools.deepest(tool, &self.motion.state)?;
         Some(self.reference.from_zero(place))
+    }
+
+    /// The contact with itself where that has friction.
+    pub(crate) fn own_friction(&self) -> Option<&SurfaceContact> {
+        let own = self.loading.own_contact.as_ref().map(|own| own.friction());
+        own.filter(|contact| contact.remembers())
+    }
+
+    /// Coefficient of the friction of the shell on itself \[–\].
+    pub fn own_friction_coefficient(&self) -> f64 {
+        self.own_friction().map_or(0.0, SurfaceContact::friction)
+    }
+
+    /// Gives what is near in the shell an anchor for a long step to come.
+    pub(crate) fn hover(&mut self) {
+        let Self { loading, motion, .. } = self;
+        if let Some(own) = &mut loading.own_contact {
+            own.hover(&motion.state);
+        }
+    }
+
+    /// What friction of the shell on itself keeps, behind how many numbers it is; nothing without.
+    pub(crate) fn own_friction_history(&self) -> Vec<f64> {
+        let own = self.own_friction().map(SurfaceContact::history);
+        own.map_or_else(Vec::new, |own| std::iter::once(own.len() as f64).chain(own).collect())
+    }
+
+    /// Takes that off the front of a history.
+    pub(crate) fn split_own_friction<'a>(&self, history: &'a [f64]) -> Option<(&'a [f64], &'a [f64])> {
+        if self.own_friction().is_none() {
+            return Some((&[], history));
+        }
+        let (count, rest) = history.split_first()?;
+        rest.split_at_checked(*count as usize)
+    }
+
+    /// Takes up what friction of the shell on itself kept; false, and nothing changed, if it is that of another shell.
+    pub(crate) fn take_up_own_friction(&mut self, own: &[f64]) -> bool {
+        let contact = self.loading.own_contact.as_mut();
+        contact.is_none_or(|contact| contact.take_up_history(own))
     }
 
     /// Stiffness of the contact with itself, of a unit of area \[F/L³\].

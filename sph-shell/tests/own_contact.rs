@@ -19,7 +19,7 @@ use sph_shell::{Force, Formulation, Load, OwnContact, Pressure, Reach, Shell, St
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
 
 fn touching(thickness: f64, spacing: f64, law: Law, edges: bool) -> OwnContact {
-    OwnContact { law, stiffness: 0.5 * stiffness(YOUNG, thickness, spacing), edges }
+    OwnContact { law, stiffness: 0.5 * stiffness(YOUNG, thickness, spacing), edges, friction: 0.0 }
 }
 
 /// A tube, open along its length, pressed flat until its walls are in each other by a fifth of the thickness.

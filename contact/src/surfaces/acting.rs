@@ -16,26 +16,17 @@ impl SurfaceContact {
         for pushed in &self.pushed {
             self.each_end(pushed, |node, share, end| add(node, pushed.crossing.forces[end] * share));
         }
+        self.rubbing_forces(add);
     }
 
     /// Hands the derivatives of the force on a node by the place of another to `put`, for the state last looked at. Without edges.
     pub fn tangent(&self, at: impl Fn(Node) -> Vec3, mut put: impl FnMut(Node, Node, &Matrix3<f64>)) {
         for contact in &self.contacts {
-            let pass = &self.passes[contact.pass];
-            let (own, other) = (&self.meshes[pass.of], &self.meshes[pass.on]);
-            let (corners, count) = corners_of(other, contact.feature);
-            let mut places = [own.place(contact.vertex, |a| at((pass.of, a))); 4];
-            for (place, &corner) in places[1..].iter_mut().zip(&corners[..count]) {
-                *place = other.place(corner, |a| at((pass.on, a)));
-            }
-            let blocks = contact.pair.second(&places[..=count], contact.slope, contact.curvature);
-            self.each_place(contact, |a, of_a, share_a| {
-                self.each_place(contact, |b, of_b, share_b| {
-                    let block = blocks[a][b] * -(share_a * share_b);
-                    of_a.iter().for_each(|&node| of_b.iter().for_each(|&to| put(node, to, &block)));
-                });
-            });
+            let (places, count) = self.places_of(contact, &at);
+            let blocks = contact.pair.second(&places[..count], contact.slope, contact.curvature);
+            self.each_pair(contact, |[a, b], node, to, share| put(node, to, &(blocks[a][b] * -share)));
         }
+        self.rubbing_tangent(at, put);
     }
 
     /// Hands what contact adds at most to the stiffness against motions of each node to `add` \[F/L\]: the row of `Σ ψ″ w wᵀ`, whose
@@ -52,7 +43,7 @@ impl SurfaceContact {
 
     /// The same at a vertex of a body that is touched on both faces while depths stay out of the barrier, 4 κ A \[F/L\].
     pub fn bound(&self, body: usize, vertex: usize) -> f64 {
-        4.0 * self.touching.stiffness * self.meshes[body].surface().vertices()[vertex].area
+        4.0 * self.touching.stiffness * self.meshes[body].surface().vertices()[vertex].area * self.tilted
     }
 
     /// The time in which those deeper than a depth \[–\], and edges, would meet with their present rates \[L/T\]; infinite where none comes nearer.
@@ -127,8 +118,39 @@ impl SurfaceContact {
         self.pushed.iter().map(depth).fold(0.0, f64::max)
     }
 
+    /// Places of a contact, those beyond their number that of the vertex.
+    pub(super) fn places_of(&self, contact: &Contact, at: impl Fn(Node) -> Vec3) -> ([Vec3; 4], usize) {
+        let pass = &self.passes[contact.pass];
+        let (own, other) = (&self.meshes[pass.of], &self.meshes[pass.on]);
+        let (corners, count) = corners_of(other, contact.feature);
+        let mut places = [own.place(contact.vertex, |a| at((pass.of, a))); 4];
+        for (place, &corner) in places[1..].iter_mut().zip(&corners[..count]) {
+            *place = other.place(corner, |a| at((pass.on, a)));
+        }
+        (places, count + 1)
+    }
+
+    /// Hands two places of a contact, a node of each and the product of the shares that these have to `each`, for every two.
+    pub(super) fn each_pair(&self, contact: &Contact, mut each: impl FnMut([usize; 2], Node, Node, f64)) {
+        self.each_place(contact, |a, of_a, share_a| {
+            self.each_place(contact, |b, of_b, share_b| {
+                let share = share_a * share_b;
+                of_a.iter().for_each(|&node| of_b.iter().for_each(|&to| each([a, b], node, to, share)));
+            });
+        });
+    }
+
+    /// Hands each corner of a face on which a pass acts, a node of it and the share that this has to `each`.
+    pub(super) fn each_corner(&self, pass: u32, face: u32, mut each: impl FnMut(usize, Node, f64)) {
+        let on = self.passes[pass as usize].on;
+        for (corner, vertex) in self.meshes[on].faces()[face as usize].into_iter().enumerate() {
+            let vertex = self.meshes[on].surface().vertices()[vertex as usize];
+            vertex.nodes().iter().for_each(|&a| each(corner, (on, a), vertex.share()));
+        }
+    }
+
     /// Hands each place of a contact with its nodes, and the share that a node has in it, to `each`.
-    fn each_place(&self, contact: &Contact, mut each: impl FnMut(usize, &[Node], f64)) {
+    pub(super) fn each_place(&self, contact: &Contact, mut each: impl FnMut(usize, &[Node], f64)) {
         let pass = &self.passes[contact.pass];
         let (corners, count) = corners_of(&self.meshes[pass.on], contact.feature);
         let mut nodes = [(0, 0); 4];

@@ -68,7 +68,7 @@ impl SurfaceContact {
 }
 
 /// A point and the place of a face nearest to it.
-fn nearest(mesh: &Mesh, face: u32, point: Vec3, places: &[Vec3]) -> crate::Pair {
+pub(super) fn nearest(mesh: &Mesh, face: u32, point: Vec3, places: &[Vec3]) -> crate::Pair {
     let at = |corner: u32| places[corner as usize];
     let corners = mesh.faces()[face as usize];
     let feature = match on_triangle(&point, corners.map(at)).0 {

@@ -35,9 +35,11 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 54] = [
+const EXAMPLES: [Example; 61] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
+    Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
+    Example::new("cantilever-on-flat", 1.0, include_str!("../../../scenes/cantilever-on-flat.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
     Example::new("capstan", 10.0, include_str!("../../../scenes/capstan.toml")),
     Example::new("clamped-cap", 2.0, include_str!("../../../scenes/clamped-cap.toml")),
@@ -46,10 +48,12 @@ const EXAMPLES: [Example; 54] = [
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
     Example::new("dam-break", 3.0, include_str!("../../../scenes/dam-break.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
+    Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("gate", 7.0, include_str!("../../../scenes/gate.toml")),
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
     Example::new("hemisphere", 0.1, include_str!("../../../scenes/hemisphere.toml")),
+    Example::new("hemisphere-on-flat", 3.0, include_str!("../../../scenes/hemisphere-on-flat.toml")),
     Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
@@ -64,6 +68,7 @@ const EXAMPLES: [Example; 54] = [
     Example::new("plate-buckling", 0.2, include_str!("../../../scenes/plate-buckling.toml")),
     Example::new("plate-clamped", 0.1, include_str!("../../../scenes/plate-clamped.toml")),
     Example::new("plate-clamped-solid", 1.0, include_str!("../../../scenes/plate-clamped-solid.toml")),
+    Example::new("plate-on-plate", 4.0, include_str!("../../../scenes/plate-on-plate.toml")),
     Example::new("plate-orthotropic", 6.0, include_str!("../../../scenes/plate-orthotropic.toml")),
     Example::new("plate-pd", 6.0, include_str!("../../../scenes/plate-pd.toml")),
     Example::new("plate-shortened", 2.0, include_str!("../../../scenes/plate-shortened.toml")),
@@ -77,6 +82,7 @@ const EXAMPLES: [Example; 54] = [
     Example::new("ring-pressure", 0.1, include_str!("../../../scenes/ring-pressure.toml")),
     Example::new("scordelis-lo", 0.1, include_str!("../../../scenes/scordelis-lo.toml")),
     Example::new("shell-in-water", 24.0, include_str!("../../../scenes/shell-in-water.toml")),
+    Example::new("spinning-block", 0.1, include_str!("../../../scenes/spinning-block.toml")),
     Example::new("stepped-plate", 0.1, include_str!("../../../scenes/stepped-plate.toml")),
     Example::new(
         "stiffened-panel-abaqus",
@@ -88,6 +94,7 @@ const EXAMPLES: [Example; 54] = [
         0.1,
         include_str!("../../../scenes/meshes/stiffened-panel-gmsh.toml"),
     ),
+    Example::new("strip-lifted", 1.0, include_str!("../../../scenes/strip-lifted.toml")),
     Example::new("strip-over-drum", 1.0, include_str!("../../../scenes/strip-over-drum.toml")),
     Example::new("t-frame", 0.2, include_str!("../../../scenes/meshes/t-frame.toml")),
     Example::new("tensioned-plate", 0.5, include_str!("../../../scenes/tensioned-plate.toml")),

@@ -58,8 +58,8 @@ const ROWS: &[Row] = &[
         &["friction", "self_contact"],
         &[],
         NotYet {
-            feature: "contact of solids with themselves and in a fluid, of shells in a fluid, and friction of shells on each other",
-            nearest: "[[contact]] between two bodies or of a shell with itself; rigid [[tools]] that a shell touches, with `friction` (coque new strip-over-drum, capstan); contact of a solid of bonds with its fragments and with planes, [bodies.NAME.solid.contact]; what stays \
+            feature: "contact of solids with themselves and in a fluid, of shells in a fluid",
+            nearest: "[[contact]] between two bodies or of a shell with itself, with `friction`; rigid [[tools]] that a shell touches, with `friction` (coque new strip-over-drum, capstan); contact of a solid of bonds with its fragments and with planes, [bodies.NAME.solid.contact]; what stays \
                       joined is tied by [[ties]] or made rigid by [[rigid]]",
         },
     ),

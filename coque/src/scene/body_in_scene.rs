@@ -133,12 +133,6 @@ impl<'a> BodyInScene<'a> {
         if let BodyScene::Rigid(rigid) = self.body { Some(rigid) } else { None }
     }
 
-    /// Whether a contact between bodies names it.
-    pub(crate) fn is_touched(&self) -> bool {
-        let names = self.scene.contact.iter().filter_map(|contact| contact.between.as_ref()).flatten();
-        names.into_iter().any(|name| name == self.name)
-    }
-
     /// Where the keys of the scene stand.
     pub(crate) fn scope(&self) -> Scope<'a> {
         self.source.scope("")

@@ -129,7 +129,7 @@ pub enum Measured {
     GreatestDepth,
     /// Area of a shell that touches \[L²\].
     TouchingArea,
-    /// Energy that friction on tools has taken of a shell \[F L\].
+    /// Energy that friction has taken of a shell \[F L\]: on tools, and one half of what it took where the shell rubs on another or on itself.
     FrictionLoss,
     /// Component of the moment that the supports of a shell exert about a point \[F L\].
     ReactionMoment,

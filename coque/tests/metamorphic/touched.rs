@@ -3,7 +3,7 @@
 
 use nalgebra::{Rotation3, Unit, Vector3};
 
-use super::{CANTILEVERS, Outcome, common::text, difference, judge, ran};
+use super::{CANTILEVERS, Outcome, PLATES, common::text, difference, judge, ran};
 
 const QUARTER: &str = "ring-between-plates.toml";
 /// Early levels of the ring, before and after its crown flattens, on a coarser lattice.
@@ -153,7 +153,9 @@ fn led(value: &mut toml::Value, map: &dyn Fn(Vector3<f64>) -> Vector3<f64>) {
             }
             for (key, value) in table.iter_mut() {
                 match key.as_str() {
-                    "origin" | "u" | "v" | "direction" | "total" | "linear" if value.is_array() => {
+                    "origin" | "u" | "v" | "direction" | "total" | "linear" | "acceleration"
+                        if value.is_array() =>
+                    {
                         lead(value)
                     }
                     _ => led(value, map),
@@ -165,10 +167,11 @@ fn led(value: &mut toml::Value, map: &dyn Fn(Vector3<f64>) -> Vector3<f64>) {
     }
 }
 
-const TWO: [(&str, &[(&str, &str)]); 3] = [
+const TWO: [(&str, &[(&str, &str)]); 4] = [
     ("two-cantilevers.toml", &CANTILEVERS),
     ("../coque/tests/metamorphic/thrown.toml", &[]),
     ("joined-cantilevers.toml", &[]),
+    ("plate-on-plate.toml", &PLATES),
 ];
 
 fn led_through(relation: &str, map: &dyn Fn(Vector3<f64>) -> Vector3<f64>, bound: f64) {

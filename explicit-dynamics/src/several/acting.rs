@@ -90,6 +90,17 @@ impl Acting {
         at.map_or([0.0; 3], |at| self.forces[self.ranges[system].start + at])
     }
 
+    /// Energy lost at a particle of a system until the last step \[F L\].
+    pub fn lost_at(&self, system: usize, particle: u32) -> f64 {
+        let at = self.particles[system].binary_search(&particle).ok();
+        at.map_or(0.0, |at| self.interaction.lost_at(self.ranges[system].start + at))
+    }
+
+    /// Makes its history that of the step that was taken.
+    pub fn commit(&mut self) {
+        self.interaction.commit();
+    }
+
     /// Reads the velocities before a kick.
     pub fn before<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) {
         if self.rests {
@@ -113,6 +124,7 @@ impl Acting {
             }
         }
         work.external -= kick * done;
+        work.dissipated += self.interaction.lost();
         work.resisted -= kick * gave_way;
     }
 

@@ -77,6 +77,19 @@ pub trait Interaction: Any + Send {
         Ok(())
     }
 
+    /// Energy that it lost on the way to the places last evaluated, from those of the last commit \[F L\].
+    fn lost(&self) -> f64 {
+        0.0
+    }
+
+    /// Makes the history of the places last evaluated the one that counts: a step was taken from there.
+    fn commit(&mut self) {}
+
+    /// Energy lost at a place until the last commit \[F L\].
+    fn lost_at(&self, _place: usize) -> f64 {
+        0.0
+    }
+
     /// What belongs to a state beside the motion of the systems.
     fn kept(&self) -> Vec<f64> {
         Vec::new()

@@ -61,6 +61,11 @@ impl<S: ?Sized> Several<S> {
     pub fn force_on(&self, interaction: usize, system: usize, particle: u32) -> [f64; 3] {
         self.acting.get(interaction).map_or([0.0; 3], |acting| acting.force_on(system, particle))
     }
+
+    /// Energy that an interaction lost at a particle of a system until the last step \[F L\].
+    pub fn lost_at(&self, interaction: usize, system: usize, particle: u32) -> f64 {
+        self.acting.get(interaction).map_or(0.0, |acting| acting.lost_at(system, particle))
+    }
 }
 
 /// What all kicks did together, in their order.
@@ -94,6 +99,7 @@ impl<S: Joinable + ?Sized> Dynamics for Several<S> {
 
     fn drift(&mut self, step: &Step) {
         self.systems.iter_mut().for_each(|system| system.drift(step));
+        self.acting.iter_mut().for_each(Acting::commit);
     }
 
     fn advance(&mut self, step: &Step) -> Work {

@@ -106,6 +106,22 @@ impl Acting {
         at.map_or([0.0; 3], |at| self.forces[self.ranges[system].start + at])
     }
 
+    /// Energy lost at a particle of a system until the last commit \[F L\].
+    pub fn lost_at(&self, system: usize, particle: u32) -> f64 {
+        let at = self.particles[system].binary_search(&particle).ok();
+        at.map_or(0.0, |at| self.interaction.lost_at(self.ranges[system].start + at))
+    }
+
+    /// Takes up a history that it gave.
+    pub fn recall(&mut self, history: &[f64]) {
+        self.interaction.recall(history);
+    }
+
+    /// Makes its history that of an accepted state.
+    pub fn commit(&mut self) {
+        self.interaction.commit(&self.places);
+    }
+
     /// Where the systems are now.
     pub fn seen<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) -> Vec<[f64; 3]> {
         self.see(systems);

@@ -43,6 +43,27 @@ pub trait Interaction: Any + Send {
         1.0
     }
 
+    /// Whether it has a history, on which its tangent depends ([`Equilibrium::tangent_is_of_the_step`]).
+    fn remembers(&self) -> bool {
+        false
+    }
+
+    /// Its committed history, as it stands in a saved state.
+    fn history(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Takes up what [`Interaction::history`] gave.
+    fn recall(&mut self, _history: &[f64]) {}
+
+    /// Makes the history of places, those last evaluated, the one that counts: they are an accepted state.
+    fn commit(&mut self, _places: &[[f64; 3]]) {}
+
+    /// Energy lost at a place until the last commit \[F L\].
+    fn lost_at(&self, _place: usize) -> f64 {
+        0.0
+    }
+
     /// What belongs to a state beside the unknowns of the systems.
     fn kept(&self) -> Vec<f64> {
         Vec::new()

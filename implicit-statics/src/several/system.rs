@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::acting::Acting;
 use super::interaction::{Interaction, Joinable};
 use crate::bounds::OutOfBounds;
-use crate::equilibrium::Equilibrium;
+use crate::equilibrium::{Equilibrium, Front};
 
 /// Part of the greatest utilisation from which on others break with it: equal systems are as far but for rounding.
 const ALIKE: f64 = 1e-9;
@@ -18,8 +18,6 @@ pub struct Several<S: ?Sized> {
     first: Vec<usize>,
     /// First entry of each in the pattern, and the end; found when a tangent is first asked for.
     entries: OnceCell<Vec<usize>>,
-    /// First number of each in a saved state, and the end.
-    saved: Vec<usize>,
     acting: Vec<Acting>,
 }
 
@@ -35,8 +33,7 @@ impl<S: Joinable + ?Sized> Several<S> {
             std::iter::once(0).chain(next).collect()
         };
         let first = ends(&|system| system.unknowns());
-        let saved = ends(&|system| system.save().len());
-        let mut several = Self { systems, first, entries: OnceCell::new(), saved, acting: Vec::new() };
+        let mut several = Self { systems, first, entries: OnceCell::new(), acting: Vec::new() };
         for interaction in interactions {
             let pattern = several.pattern();
             several.acting.push(Acting::new(interaction, &several.systems, &several.first, &pattern));
@@ -64,6 +61,16 @@ impl<S: Joinable + ?Sized> Several<S> {
     /// What an interaction last exerted on a particle of a system \[F\].
     pub fn force_on(&self, interaction: usize, system: usize, particle: u32) -> [f64; 3] {
         self.acting.get(interaction).map_or([0.0; 3], |acting| acting.force_on(system, particle))
+    }
+
+    /// Whether any interaction has a history.
+    pub fn remembers(&self) -> bool {
+        self.acting.iter().any(|acting| acting.interaction().remembers())
+    }
+
+    /// Energy that an interaction lost at a particle of a system until the last commit \[F L\].
+    pub fn lost_at(&self, interaction: usize, system: usize, particle: u32) -> f64 {
+        self.acting.get(interaction).map_or(0.0, |acting| acting.lost_at(system, particle))
     }
 
     /// That of each system, without what acts between them.
@@ -201,7 +208,7 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     }
 
     fn tangent_is_of_the_step(&self) -> bool {
-        self.any(Equilibrium::tangent_is_of_the_step)
+        self.remembers() || self.any(Equilibrium::tangent_is_of_the_step)
     }
 
     fn has_moving_supports(&self) -> bool {
@@ -210,6 +217,7 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
 
     fn commit(&mut self) {
         self.systems.iter_mut().for_each(|system| system.commit());
+        self.acting.iter_mut().for_each(Acting::commit);
     }
 
     fn utilisation(&mut self) -> f64 {
@@ -280,6 +288,26 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
         each.map(|(acting, (here, there))| acting.interaction().reach(here, there)).fold(least, f64::min)
     }
 
+    fn stages_of_contact(&self) -> Vec<f64> {
+        let mut all: Vec<f64> = self.systems.iter().flat_map(|system| system.stages_of_contact()).collect();
+        all.sort_unstable_by(|a, b| b.total_cmp(a));
+        all.dedup();
+        all
+    }
+
+    fn soften_contact(&mut self, length: Option<f64>) {
+        self.systems.iter_mut().for_each(|system| system.soften_contact(length));
+    }
+
+    fn front(&mut self, level: f64) -> Front {
+        let each = self.systems.iter_mut().map(|system| system.front(level));
+        each.reduce(|all, own| Front {
+            set: all.set.rotate_left(1) ^ own.set,
+            depth: all.depth.max(own.depth),
+        })
+        .unwrap_or_default()
+    }
+
     fn update(&mut self, increment: &[f64]) {
         self.parts(|own| &own.first).for_each(|(system, range)| system.update(&increment[range]));
     }
@@ -289,18 +317,25 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     }
 
     fn motion_to(&self, saved: &[f64], out: &mut [f64]) -> bool {
+        let parts = self.parts_of(saved);
         self.systems.iter().enumerate().all(|(number, system)| {
-            let saved = &saved[self.saved[number]..self.saved[number + 1]];
-            system.motion_to(saved, &mut out[self.first[number]..self.first[number + 1]])
+            system.motion_to(parts[number], &mut out[self.first[number]..self.first[number + 1]])
         })
     }
 
     fn save(&self) -> Vec<f64> {
-        self.gather(|system| system.save())
+        let own = self.systems.iter().map(|system| system.save());
+        let parts: Vec<Vec<f64>> =
+            own.chain(self.acting.iter().map(|acting| acting.interaction().history())).collect();
+        let lengths = parts.iter().map(|part| part.len() as f64);
+        parts.iter().flatten().copied().chain(lengths).collect()
     }
 
     fn restore(&mut self, saved: &[f64]) {
-        self.parts(|own| &own.saved).for_each(|(system, range)| system.restore(&saved[range]));
+        let parts = self.parts_of(saved);
+        let (own, histories) = parts.split_at(self.systems.len());
+        self.systems.iter_mut().zip(own).for_each(|(system, part)| system.restore(part));
+        self.acting.iter_mut().zip(histories).for_each(|(acting, history)| acting.recall(history));
     }
 
     /// What they do to each other is work of external forces.
@@ -328,6 +363,17 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
 }
 
 impl<S: Joinable + ?Sized> Several<S> {
+    /// What each system and then each interaction has in a saved state, at whose end their lengths stand: histories grow and shrink.
+    fn parts_of<'a>(&self, saved: &'a [f64]) -> Vec<&'a [f64]> {
+        let (mut rest, lengths) = saved.split_at(saved.len() - self.systems.len() - self.acting.len());
+        let part = |length: &f64| {
+            let (part, after) = rest.split_at(*length as usize);
+            rest = after;
+            part
+        };
+        lengths.iter().map(part).collect()
+    }
+
     /// Adds the stiffness of what they do to each other, whose entries follow those of the systems.
     fn add_stiffness(&self, values: &mut [f64]) {
         values[self.entries()[self.systems.len()]..].fill(0.0);

@@ -12,6 +12,7 @@ pub(crate) mod pressure;
 pub(crate) mod resultants;
 pub(crate) mod spread;
 pub(crate) mod springs;
+pub(crate) mod stages;
 pub(crate) mod supports;
 pub(crate) mod tools;
 pub(crate) mod touched;

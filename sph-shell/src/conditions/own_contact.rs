@@ -20,6 +20,8 @@ pub struct OwnContact {
     pub stiffness: f64,
     /// Whether edges that cross between particles push each other apart, for marches; they have no tangent.
     pub edges: bool,
+    /// Coefficient of friction μ \[–\]; zero of a smooth shell.
+    pub friction: f64,
 }
 
 /// The contact of a shell with itself.
@@ -40,22 +42,25 @@ impl SelfContact {
     /// The contact of a shell with half of its thickness at each particle \[L\], whose particles move with masses \[M\].
     ///
     /// # Errors
-    /// [`ShellError`] for a stiffness that is not positive and where thicknesses differ.
+    /// [`ShellError`] for a stiffness that is not positive, a friction that is negative, and where thicknesses differ.
     pub fn new(
         own: &OwnContact,
         reference: &Reference,
         half: &[f64],
         masses: &[f64],
     ) -> Result<Self, ShellError> {
-        let OwnContact { law, stiffness, edges } = *own;
+        let OwnContact { law, stiffness, edges, friction } = *own;
         if !(stiffness > 0.0 && stiffness.is_finite()) {
             return Err(ShellError::ContactStiffness(stiffness));
+        }
+        if !(friction >= 0.0 && friction.is_finite()) {
+            return Err(ShellError::ToolFriction(friction));
         }
         let cloud = &reference.cloud;
         let (mesh, thickness) = touched_mesh(cloud, half)?;
         let skin = SKIN * cloud.spacing();
         let touching = Touching { distance: thickness, law, stiffness, skin, edges };
-        let contact = SurfaceContact::itself(mesh, &cloud.positions, touching);
+        let contact = SurfaceContact::itself(mesh, &cloud.positions, touching).with_friction(friction);
         let pace = Pace::new(&contact, |(_, a)| masses[a as usize]);
         let (touch, forces) = (SurfaceTouch::default(), vec![[0.0; 6]; cloud.len()]);
         Ok(Self { contact, touch, forces, pace, looked: false, rests: false })
@@ -150,6 +155,26 @@ impl SelfContact {
     pub fn force(&self, particle: usize) -> Vec3 {
         let row = &self.forces[particle];
         Vec3::new(row[0], row[1], row[2])
+    }
+
+    /// What its friction is and keeps.
+    pub fn friction(&self) -> &SurfaceContact {
+        &self.contact
+    }
+
+    /// Makes the anchors of the forces last evaluated those that count.
+    pub fn commit(&mut self) {
+        self.contact.commit();
+    }
+
+    /// Lets what is near in a state, and touches nothing, rub from there when it comes to touch.
+    pub fn hover(&mut self, state: &[Row]) {
+        self.contact.hover(place(state));
+    }
+
+    /// Takes up the history of its friction; false, and nothing changed, if it is that of another shell.
+    pub fn take_up_history(&mut self, history: &[f64]) -> bool {
+        self.contact.take_up_history(history)
     }
 
     /// Stiffness of contact of a unit of area.

@@ -2,10 +2,12 @@
 
 use contact::{Friction, Law, NodalContact, Pose, Surface, ToolContact, ToolShape, Touch, Watch};
 use explicit_dynamics::{Amplitude, Instant};
+use implicit_statics::Front;
 use sph_core::Vec3;
 
 use crate::conditions::case::LoadCase;
 use crate::conditions::loads::{Block, place_block};
+use crate::conditions::stages::{self, Stages};
 use crate::error::ShellError;
 use crate::packs::Row;
 use crate::reference::Reference;
@@ -41,6 +43,8 @@ const FASTEST: f64 = 2.0;
 #[derive(Clone, Debug)]
 struct Touched {
     contact: ToolContact,
+    /// Its law and stiffness, which a stage of Newton's method may soften.
+    own: (Law, f64),
     watch: Watch,
     friction: Option<Friction>,
     /// How far it has moved and turned at level one.
@@ -62,6 +66,7 @@ pub(crate) struct Tools {
     lost: Vec<f64>,
     /// Whether any of the forces is not zero.
     touching: bool,
+    stages: Stages,
     origin: Vec3,
     /// No particle of a march is faster \[L/T\].
     fastest: f64,
@@ -70,11 +75,16 @@ pub(crate) struct Tools {
 }
 
 impl Tools {
-    /// The tools of a shell with half of its thickness at each particle \[L\].
+    /// The tools of a shell with half of its thickness at each particle \[L\], and the stages in which its contact may be softened.
     ///
     /// # Errors
     /// [`ShellError`] for shapes without sense, a stiffness that is not positive, and a friction that is negative.
-    pub fn new(tools: Vec<Tool>, reference: &Reference, half: &[f64]) -> Result<Self, ShellError> {
+    pub fn new(
+        tools: Vec<Tool>,
+        reference: &Reference,
+        half: &[f64],
+        stages: Stages,
+    ) -> Result<Self, ShellError> {
         let cloud = &reference.cloud;
         let surface = Surface::new(&cloud.cells, &cloud.positions, |a| half[a as usize]);
         let touched = |tool: Tool| {
@@ -88,7 +98,15 @@ impl Tools {
             let rubs = rubs.ok_or(ShellError::ToolFriction(friction))?;
             let friction = if friction > 0.0 { Some(rubs) } else { None };
             let motion = Pose { moved, angle: turn };
-            Ok(Touched { contact, watch, friction, motion, amplitude, stood: Pose::default() })
+            Ok(Touched {
+                contact,
+                own: (law, stiffness),
+                watch,
+                friction,
+                motion,
+                amplitude,
+                stood: Pose::default(),
+            })
         };
         let tools = tools.into_iter().map(touched).collect::<Result<Vec<_>, ShellError>>()?;
         let rough = tools.iter().any(|tool| tool.friction.is_some());
@@ -98,6 +116,7 @@ impl Tools {
             forces: vec![[0.0; 6]; cloud.len()],
             lost: vec![0.0; if rough { cloud.len() } else { 0 }],
             touching: false,
+            stages,
             origin: reference.origin,
             fastest: FASTEST * reference.sound_speed,
             time: f64::INFINITY,
@@ -159,6 +178,34 @@ impl Tools {
             tool.contact.least_gap(&tool.pose(at, under_way, &self.origin).moved, place(state))
         };
         self.tools.iter().map(gap).collect()
+    }
+
+    /// The lengths of stages softer than any of them, ascending in stiffness; none where one has friction, whose slip goes by the way taken.
+    pub fn stages(&self) -> Vec<f64> {
+        if self.remember() {
+            return Vec::new();
+        }
+        let stiffest = self.tools.iter().map(|tool| tool.own.1).fold(0.0, f64::max);
+        self.stages.softer_than(stiffest).collect()
+    }
+
+    /// Softens them to a stage, without a barrier; none: back to their own law.
+    pub fn soften(&mut self, stage: Option<f64>) {
+        for Touched { contact, own: (law, stiffness), .. } in &mut self.tools {
+            contact.stiffness = self.stages.softened(*stiffness, stage);
+            contact.law = if stage.is_some() { law.open() } else { *law };
+        }
+    }
+
+    /// Takes what touches them at an instant of a load case into what is known of that.
+    pub fn see(&self, at: Instant, under_way: LoadCase, state: &[Row], front: &mut Front) {
+        for tool in &self.tools {
+            let moved = tool.pose(at, under_way, &self.origin).moved;
+            tool.contact.each_touching(&moved, place(state), |number, depth| {
+                stages::take(front, u64::from(number), depth);
+            });
+            stages::take(front, u64::from(u32::MAX), 0.0);
+        }
     }
 
     /// Force of all tools on a particle, for the forces last evaluated.

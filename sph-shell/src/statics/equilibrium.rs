@@ -2,7 +2,8 @@
 
 use std::ops::DerefMut;
 
-use implicit_statics::{Equilibrium, OutOfBounds, row_sums};
+use explicit_dynamics::Instant;
+use implicit_statics::{Equilibrium, Front, OutOfBounds, row_sums};
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -163,6 +164,21 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         loading.own_contact.as_ref().map_or(1.0, |own| own.reach(&motion.state, &there))
     }
 
+    fn stages_of_contact(&self) -> Vec<f64> {
+        self.shell.loading.tools.stages()
+    }
+
+    fn soften_contact(&mut self, length: Option<f64>) {
+        self.shell.loading.tools.soften(length);
+    }
+
+    fn front(&mut self, level: f64) -> Front {
+        let mut front = Front::default();
+        let Shell { loading, motion, .. } = &*self.shell;
+        loading.tools.see(Instant { time: 0.0, level }, loading.case, &motion.state, &mut front);
+        front
+    }
+
     fn update(&mut self, increment: &[f64]) {
         self.carried.clear();
         for a in 0..self.shell.len() {
@@ -226,6 +242,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 
     fn commit(&mut self) {
         self.shell.commit();
+        self.shell.hover();
     }
 
     fn tangent_is_of_the_step(&self) -> bool {

@@ -85,7 +85,7 @@ impl Shell {
         }
         junctions.drift(motion, constraints, if DRIFT { step.drift() } else { 0.0 });
         ties.put(&mut motion.state);
-        evaluation.total_work(step, of_groups, loading.tools.lost())
+        evaluation.total_work(step, of_groups, loading.rubbed())
     }
 
     /// A step by the plan; external forces are already evaluated.
@@ -98,7 +98,7 @@ impl Shell {
         let update = update_of(moving, constraints, loading, &[], step);
         plan.advance(&sweep, &update, Rows { state, next, rates }, chunk_work);
         std::mem::swap(state, next);
-        evaluation.total_work(step, Work::default(), loading.tools.lost())
+        evaluation.total_work(step, Work::default(), loading.rubbed())
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use contact::NodalContact;
 use explicit_dynamics::Dynamics;
 use rigid_body::{RestingBody, RigidBody};
 use sph_core::Vec3;
@@ -42,6 +43,10 @@ impl Body for RigidBody {
         fields(self, shown)
     }
 
+    fn nodal_contact(&self, _: usize) -> Vec<NodalContact> {
+        vec![NodalContact::default(); self.len()]
+    }
+
     /// Its surface.
     fn outlines(&self) -> Vec<Outline> {
         vec![Outline::of_cells(self.rest().len(), self.cells().to_vec(), 0.0, false)]
@@ -75,6 +80,10 @@ impl Body for RestingBody {
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self.body(), shown)
+    }
+
+    fn nodal_contact(&self, body: usize) -> Vec<NodalContact> {
+        self.body().nodal_contact(body)
     }
 
     fn outlines(&self) -> Vec<Outline> {

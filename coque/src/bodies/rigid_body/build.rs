@@ -11,7 +11,10 @@ use crate::bodies::rigid::free_of;
 use crate::bodies::{BuiltBody, Description, Model, Ready};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, RigidScene};
+use crate::scene::{Analysis, Explicit, RigidScene};
+
+/// Steps between two records at least of a body that is alone, so that loads that vary in time are followed where nothing else bounds the step.
+const STEPS_A_RECORD: f64 = 100.0;
 
 /// Builds a rigid body with what is asked of it.
 pub(in crate::bodies) fn rigid_model(
@@ -47,6 +50,11 @@ pub(in crate::bodies) fn rigid_made(
     let parts = Parts { outline, mass, supports, loads: loads(scene, &sets), springs };
     let mut body = RigidBody::new(parts).map_err(|error| refused(scene, rigid, &error))?;
     set_out(rigid, &mut body);
+    if let Analysis::Explicit(Explicit { transient: Some(run), .. }) = scene.analysis {
+        // Bodies beside it have steps of their own.
+        let steps = if scene.together { 1.0 } else { STEPS_A_RECORD };
+        body.bound_step(run.record_every.get() / steps);
+    }
     if !scene.together {
         refuse_dof(scene, body.dof())?;
     }

@@ -25,7 +25,11 @@ pub(crate) fn describe(
     let (mut modelled, left_out) = lists(scene, surface, parts);
     modelled.extend(touched(&scene.shell.tools, shell));
     modelled.extend(shell.own_contact_stiffness().map(|stiffness| {
-        format!("contact with itself, without friction, {stiffness:.3e} an area and depth")
+        let friction = match shell.own_friction_coefficient() {
+            0.0 => "without friction".into(),
+            friction => format!("with friction {friction}"),
+        };
+        format!("contact with itself, {friction}, {stiffness:.3e} an area and depth")
     }));
     let dof = shell.dof();
     Description {

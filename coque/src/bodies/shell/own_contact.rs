@@ -22,7 +22,8 @@ impl Builder<'_> {
         let rounding = own.rounding.map_or(if marches { ROUNDED } else { 0.0 }, |rounding| rounding.get());
         let factor = own.stiffness.map_or(1.0, |factor| factor.get());
         let stiffness = OF_BOTH * stiffness(sections, cloud) * factor;
-        Some(OwnContact { law: Law::new(rounding)?, stiffness, edges: marches })
+        let friction = own.friction.map_or(0.0, |friction| friction.get());
+        Some(OwnContact { law: Law::new(rounding)?, stiffness, edges: marches, friction })
     }
 
     /// Refuses a shell that stands in itself before anything moves.

@@ -1,6 +1,6 @@
 //! Several bodies whose equilibria are sought: all of it is that of the systems together.
 
-use implicit_statics::{Equilibrium, OutOfBounds};
+use implicit_statics::{Equilibrium, Front, OutOfBounds};
 use sph_core::Vec3;
 
 use super::body::Together;
@@ -89,6 +89,18 @@ impl Equilibrium for Together<Balanced> {
         self.system.reach(increment)
     }
 
+    fn stages_of_contact(&self) -> Vec<f64> {
+        self.system.stages_of_contact()
+    }
+
+    fn soften_contact(&mut self, length: Option<f64>) {
+        self.system.soften_contact(length);
+    }
+
+    fn front(&mut self, level: f64) -> Front {
+        self.system.front(level)
+    }
+
     fn update(&mut self, increment: &[f64]) {
         self.system.update(increment);
     }
@@ -151,6 +163,10 @@ impl StaticBody for Together<Balanced> {
 
     fn opens_and_closes(&self) -> bool {
         !self.layout.contacts.is_empty() || self.system.systems().iter().any(|part| part.opens_and_closes())
+    }
+
+    fn slips(&self) -> bool {
+        self.system.remembers() || self.system.systems().iter().any(|part| part.slips())
     }
 
     fn linear_reach(&self) -> f64 {

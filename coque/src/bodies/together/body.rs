@@ -31,6 +31,10 @@ impl<S: Parts> Body for Together<S> {
     fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64 {
         let (body, own) = self.layout.place(particle);
         let of_body = self.system.each().get(body).map_or(0.0, |part| part.read(of, own, along));
+        if of == Measured::FrictionLoss {
+            let between = self.layout.contacts.clone();
+            return between.map(|contact| self.system.lost_at(contact, body, own)).sum::<f64>() + of_body;
+        }
         if !matches!(of, Measured::ContactForce | Measured::ContactMoment) {
             return of_body;
         }

@@ -11,7 +11,7 @@ use super::contact::{Side, TouchingBodies};
 use super::joints::{BetweenBodies, SetsOfBodies};
 use super::layout::Layout;
 use super::parts::{Balanced, BalancedPart, Marched, MarchedPart};
-use super::sides::{of_bonds, of_galerkin, of_shell};
+use super::sides::{of_bonds, of_galerkin, of_rigid, of_shell};
 use super::touched::contacts;
 use crate::bodies::beside::{identity, judge_each, lines};
 use crate::bodies::body::Body;
@@ -181,11 +181,12 @@ fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<(BuiltBody<Part>, Opt
         },
         BodyScene::Rigid(rigid) => {
             let made = rigid_made(scene, rigid)?;
+            let side = of_rigid(scene, &made.body, made.description.spacing);
             let part = made.map(|body| match marched {
                 true => Part::Marched(Box::new(body)),
                 false => Part::Balanced(Box::new(RestingBody::new(body))),
             });
-            (part, None)
+            (part, side)
         }
         BodyScene::Fluid(_) | BodyScene::Walls(_) => return Err(not_a(scene, "shell")),
     })

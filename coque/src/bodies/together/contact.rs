@@ -40,6 +40,8 @@ pub(super) struct Manner {
     pub factor: f64,
     /// Whether edges push each other apart: in marches.
     pub edges: bool,
+    /// Coefficient of friction \[–\].
+    pub friction: f64,
 }
 
 /// The contact of two bodies, places being the particles of the first that carry its surface and then those of the second.
@@ -88,14 +90,17 @@ impl TouchingBodies {
             Skin::new([&nodes[0], &nodes[1]], [a.inside.as_deref(), b.inside.as_deref()]);
         let mut particles = vec![Vec::new(); bodies];
         (particles[a.body], particles[b.body]) = (of_a, of_b);
+        // Two bodies that give way are springs in series; beside a rigid one there is one.
+        let in_series = if a.stiffness.max(b.stiffness).is_finite() { 0.5 } else { 1.0 };
         let touching = Touching {
             distance: 0.5 * (a.thickness + b.thickness),
             law: manner.law,
-            stiffness: 0.5 * a.stiffness.min(b.stiffness) * manner.factor,
+            stiffness: in_series * a.stiffness.min(b.stiffness) * manner.factor,
             skin: SKIN * a.spacing.min(b.spacing),
             edges: manner.edges,
         };
-        let contact = SurfaceContact::between([a.mesh, b.mesh], [&a.rest, &b.rest], touching);
+        let contact = SurfaceContact::between([a.mesh, b.mesh], [&a.rest, &b.rest], touching)
+            .with_friction(manner.friction);
         let names = [a.name, b.name];
         let (touch, pairs) = (SurfaceTouch::default(), Vec::new());
         let rest = [a.rest, b.rest];
@@ -106,8 +111,12 @@ impl TouchingBodies {
     pub fn line(&self) -> String {
         let [a, b] = &self.names;
         let Touching { stiffness, distance, .. } = *self.contact.touching();
+        let friction = match self.contact.friction() {
+            0.0 => String::new(),
+            friction => format!(", friction {friction}"),
+        };
         format!(
-            "contact of {a} with {b}: stiffness {stiffness:.3e} by area, mid-surfaces {distance:.4e} apart"
+            "contact of {a} with {b}: stiffness {stiffness:.3e} by area, mid-surfaces {distance:.4e} apart{friction}"
         )
     }
 
@@ -214,10 +223,21 @@ impl explicit_dynamics::Interaction for TouchingBodies {
         Err(OutOfRange { place, what, value, bound }.into())
     }
 
+    fn lost(&self) -> f64 {
+        self.contact.lost()
+    }
+
+    fn commit(&mut self) {
+        self.contact.commit();
+    }
+
+    fn lost_at(&self, place: usize) -> f64 {
+        self.lost_of(place)
+    }
+
     fn kept(&self) -> Vec<f64> {
         let wait = self.pace.as_ref().map(|pace| pace.waits());
-        let listed = self.contact.listed().iter().flatten().flat_map(|x| [x.x, x.y, x.z]);
-        self.contact.listed().first().and(wait).into_iter().chain(listed).collect()
+        self.contact.listed().first().and(wait).into_iter().chain(self.kept_lists()).collect()
     }
 
     fn take_up(&mut self, kept: &[f64], masses: &[f64]) -> bool {
@@ -259,8 +279,30 @@ impl implicit_statics::Interaction for TouchingBodies {
         self.contact.reach(|node| skin.place(here, node), |node| skin.place(there, node))
     }
 
+    fn remembers(&self) -> bool {
+        self.contact.remembers()
+    }
+
+    fn history(&self) -> Vec<f64> {
+        self.contact.history()
+    }
+
+    fn recall(&mut self, history: &[f64]) {
+        self.contact.take_up_history(history);
+    }
+
+    fn commit(&mut self, places: &[[f64; 3]]) {
+        self.contact.commit();
+        let skin = &self.skin;
+        self.contact.hover(|node| skin.place(places, node));
+    }
+
+    fn lost_at(&self, place: usize) -> f64 {
+        self.lost_of(place)
+    }
+
     fn kept(&self) -> Vec<f64> {
-        self.contact.listed().iter().flatten().flat_map(|x| [x.x, x.y, x.z]).collect()
+        self.kept_lists().collect()
     }
 
     fn take_up(&mut self, kept: &[f64]) -> bool {
@@ -285,8 +327,26 @@ impl implicit_statics::Interaction for TouchingBodies {
 }
 
 impl TouchingBodies {
-    /// Makes the lists that were made where particles were.
-    fn take_lists(&mut self, places: &[f64]) -> bool {
+    /// Energy that friction lost at a place.
+    fn lost_of(&self, place: usize) -> f64 {
+        let borne = self.skin.borne(place).iter();
+        borne.map(|&(node, weight)| weight * self.contact.lost_at(node)).sum()
+    }
+
+    /// Where particles were when lists were made, and the history of friction; nothing before the first list.
+    fn kept_lists(&self) -> impl Iterator<Item = f64> {
+        let listed = self.contact.listed();
+        let history = listed.first().map(|_| self.contact.history());
+        listed.iter().flatten().flat_map(|x| [x.x, x.y, x.z]).chain(history.into_iter().flatten())
+    }
+
+    /// Takes up that history, and makes the lists that were made where particles were.
+    fn take_lists(&mut self, kept: &[f64]) -> bool {
+        let count: usize = self.contact.meshes().iter().map(|mesh| 3 * mesh.nodes().count()).sum();
+        let Some((places, history)) = kept.split_at_checked(count) else { return false };
+        if !self.contact.take_up_history(history) {
+            return false;
+        }
         let (places, left) = places.as_chunks::<3>();
         let first = self.contact.meshes()[0].nodes().count();
         let sides = places.split_at_checked(first).filter(|_| left.is_empty());

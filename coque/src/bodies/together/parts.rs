@@ -36,6 +36,9 @@ pub(super) trait Parts: Send {
     /// An interaction, if it is a contact.
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies>;
 
+    /// Energy that an interaction lost at a particle of a body \[F L\].
+    fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64;
+
     /// What each interaction keeps with a state.
     fn kept(&self) -> Vec<Vec<f64>>;
 
@@ -58,6 +61,10 @@ impl Parts for Marched {
 
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies> {
         (Marched::interaction(self, interaction)? as &dyn Any).downcast_ref()
+    }
+
+    fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64 {
+        Marched::lost_at(self, interaction, body, particle as u32)
     }
 
     fn kept(&self) -> Vec<Vec<f64>> {
@@ -84,6 +91,10 @@ impl Parts for Balanced {
 
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies> {
         (Balanced::interaction(self, interaction)? as &dyn Any).downcast_ref()
+    }
+
+    fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64 {
+        Balanced::lost_at(self, interaction, body, particle as u32)
     }
 
     fn kept(&self) -> Vec<Vec<f64>> {

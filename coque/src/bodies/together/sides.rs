@@ -1,9 +1,10 @@
 //! The surface of a body as others touch it: of a shell its cells, of a solid of bonds its nodes, of a Galerkin solid what lies just inside its faces.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use contact::{Mesh, stiffness};
 use peridynamics::Solid;
+use rigid_body::RigidBody;
 use sph_core::Vec3;
 use sph_shell::Shell;
 
@@ -72,33 +73,50 @@ pub(super) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid
 }
 
 /// The faces of a Galerkin solid, moved inward by a tenth of the least edge that leads in from them: places between a node of a face and the next
-/// ones behind it. What is left out is as stiff as the contact of its thickness, `κ = E/r`.
+/// ones behind it. What is left out is as stiff as the contact of its thickness, `κ = E/r`. A node on an edge of the body stands for its part of
+/// one side, the greatest: a body presses on one at a time.
 pub(super) fn of_galerkin(scene: &BodyInScene<'_>, body: &SolidScene, solid: &GalerkinSolid) -> Option<Side> {
     named(scene.scene, scene.name)?;
     let (nodes, cells) = (solid.galerkin().rest(), solid.configuration().cells);
-    let behind = behind(solid.hexahedra());
+    let behind = behind(solid.hexahedra(), nodes);
     let length = |a: u32, b: u32| (nodes[a as usize] - nodes[b as usize]).norm();
-    let edges = behind.iter().flat_map(|(&a, next)| next.iter().map(move |&b| length(a, b)));
+    let edges = behind.iter().flat_map(|(&a, next)| next.keys().map(move |&b| length(a, b)));
     let spacing = edges.fold(f64::INFINITY, f64::min);
     let depth = BELOW * spacing;
     let mut inside: Vec<Between> = vec![Vec::new(); nodes.len()];
-    let mut rest: Vec<Vec3> = nodes.to_vec();
+    let (mut rest, mut areas) = (nodes.to_vec(), vec![0.0; nodes.len()]);
     for (&a, next) in &behind {
-        let own: Between = next.iter().map(|&b| (b, depth / length(a, b))).collect();
+        let own: Between = next.keys().map(|&b| (b, depth / length(a, b))).collect();
         let left = 1.0 - own.iter().map(|(_, weight)| weight).sum::<f64>();
         let all = std::iter::once((a, left)).chain(own);
         inside[a as usize] = all.collect();
         rest[a as usize] = inside[a as usize].iter().map(|&(b, weight)| nodes[b as usize] * weight).sum();
+        areas[a as usize] = next.values().copied().fold(0.0, f64::max);
     }
     Some(Side {
         name: scene.name.into(),
         body: 0,
-        mesh: Mesh::new(cells, nodes, |_| depth),
+        mesh: Mesh::new(cells, nodes, |_| depth).with_areas(|a| areas[a as usize]),
         thickness: 2.0 * depth,
         stiffness: young(body) / depth,
         spacing,
         rest,
         inside: Some(inside),
+    })
+}
+
+/// The surface of a rigid body, of no thickness: it gives way nowhere, and the stiffness of contact is that of the other body alone.
+pub(super) fn of_rigid(scene: &BodyInScene<'_>, body: &RigidBody, spacing: f64) -> Option<Side> {
+    named(scene.scene, scene.name)?;
+    Some(Side {
+        name: scene.name.into(),
+        body: 0,
+        mesh: Mesh::new(body.cells(), body.rest(), |_| 0.0),
+        thickness: 0.0,
+        stiffness: f64::INFINITY,
+        spacing,
+        rest: body.rest().to_vec(),
+        inside: None,
     })
 }
 
@@ -122,8 +140,9 @@ const FACES: [([usize; 4], [usize; 4]); 6] = [
     ([1, 2, 6, 5], [0, 3, 7, 4]),
 ];
 
-/// Of each node on the outside, those to which edges lead in from the faces at it, ascending.
-fn behind(cells: &[[u32; 8]]) -> BTreeMap<u32, BTreeSet<u32>> {
+/// Of each node on the outside, those to which edges lead in from the faces at it, with its part of the area of the faces from which they do \[L²\]:
+/// thirds of four triangles about the middle of each.
+fn behind(cells: &[[u32; 8]], nodes: &[Vec3]) -> BTreeMap<u32, BTreeMap<u32, f64>> {
     let face = |cell: &[u32; 8], corners: &[usize; 4]| {
         let mut nodes = corners.map(|corner| cell[corner]);
         nodes.sort_unstable();
@@ -133,11 +152,15 @@ fn behind(cells: &[[u32; 8]]) -> BTreeMap<u32, BTreeSet<u32>> {
     for cell in cells {
         FACES.iter().for_each(|(corners, _)| *count.entry(face(cell, corners)).or_default() += 1);
     }
-    let mut all: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
+    let mut all: BTreeMap<u32, BTreeMap<u32, f64>> = BTreeMap::new();
     for cell in cells {
         for (corners, next) in FACES.iter().filter(|(corners, _)| count[&face(cell, corners)] == 1) {
-            for (&a, &b) in corners.iter().zip(next) {
-                all.entry(cell[a]).or_default().insert(cell[b]);
+            let at = |i: usize| nodes[cell[corners[i % 4]] as usize];
+            let middle = (at(0) + at(1) + at(2) + at(3)) / 4.0;
+            let third = |i: usize| (at(i) - middle).cross(&(at(i + 1) - middle)).norm() / 6.0;
+            for (i, (&a, &b)) in corners.iter().zip(next).enumerate() {
+                let part = third(i) + third(i + 3);
+                *all.entry(cell[a]).or_default().entry(cell[b]).or_default() += part;
             }
         }
     }
@@ -146,6 +169,8 @@ fn behind(cells: &[[u32; 8]]) -> BTreeMap<u32, BTreeSet<u32>> {
 
 #[cfg(test)]
 mod tests {
+    use sph_core::Vec3;
+
     use super::behind;
 
     /// Two cubes in a row along the first axis: x, then y, then z fastest.
@@ -157,10 +182,16 @@ mod tests {
             let ([a, b, c, d], [e, f, g, h]) = (ring(0), ring(1));
             [a, b, c, d, e, f, g, h]
         };
-        let behind = behind(&[cell(0), cell(1)]);
-        let of = |node: u32| behind[&node].iter().copied().collect::<Vec<_>>();
+        let nodes: Vec<Vec3> = (0..12_u32)
+            .map(|a| Vec3::new(f64::from(a / 4), f64::from(a / 2 % 2), f64::from(a % 2)))
+            .collect();
+        let behind = behind(&[cell(0), cell(1)], &nodes);
+        let of = |node: u32| behind[&node].keys().copied().collect::<Vec<_>>();
         // A corner: along x, y and z. A node between both cubes: not along x.
         assert_eq!((of(0), of(4)), (vec![1, 2, 4], vec![5, 6]));
         assert_eq!(behind.len(), 12);
+        // A sixth of the one face at the corner on each side, two where both cubes have one.
+        assert!(behind[&0].values().all(|area| (area - 1.0 / 6.0).abs() < 1e-15));
+        assert!(behind[&4].values().all(|area| (area - 1.0 / 3.0).abs() < 1e-15));
     }
 }

@@ -13,6 +13,8 @@ pub(super) struct Skin {
     numbers: [Vec<u32>; 2],
     /// Places of each node with their weights; none where every node is a particle, whose place has its number.
     carried: Option<Vec<Between>>,
+    /// The nodes that each place carries, with its weights.
+    borne: Vec<Vec<(Node, f64)>>,
 }
 
 impl Skin {
@@ -48,7 +50,13 @@ impl Skin {
             };
             [0, 1].iter().flat_map(|&side| nodes[side].iter().map(move |&node| of(side, node))).collect()
         });
-        (Self { numbers, carried }, particles)
+        let mut skin =
+            Self { numbers, carried, borne: vec![Vec::new(); particles.iter().map(Vec::len).sum()] };
+        let mut borne = std::mem::take(&mut skin.borne);
+        for node in [0, 1].into_iter().flat_map(|side| skin.nodes(side)) {
+            skin.each(node, |place, weight| borne[place].push((node, weight)));
+        }
+        (Self { borne, ..skin }, particles)
     }
 
     /// Where a node is.
@@ -69,6 +77,11 @@ impl Skin {
             None => each(number, 1.0),
             Some(carried) => carried[number].iter().for_each(|&(a, weight)| each(a as usize, weight)),
         }
+    }
+
+    /// The nodes that a place carries, with its weights.
+    pub fn borne(&self, place: usize) -> &[(Node, f64)] {
+        &self.borne[place]
     }
 
     /// The nodes of a side.

@@ -29,7 +29,8 @@ pub(super) fn contacts(
         };
         let [Some(a), Some(b)] = [side(&between[0]), side(&between[1])] else { continue };
         let factor = own.stiffness.map_or(1.0, |factor| factor.get());
-        let manner = Manner { law, factor, edges: marches };
+        let friction = own.friction.map_or(0.0, |friction| friction.get());
+        let manner = Manner { law, factor, edges: marches, friction };
         let mut contact = TouchingBodies::new([a, b], layout.names.len(), manner);
         refuse_depth(scene, number, &mut contact)?;
         all.push(contact);

@@ -55,15 +55,15 @@ fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     }
     for name in between {
         let bound = match scene.bodies.get(name) {
-            Some(BodyScene::Shell(_)) => continue,
+            Some(BodyScene::Shell(_) | BodyScene::Rigid(_)) => continue,
             Some(BodyScene::Solid(solid)) => match without_surface(solid) {
                 None => continue,
                 Some(bound) => bound,
             },
-            _ => "a shell or a solid of the scene",
+            _ => "a shell, a solid or a rigid body of the scene",
         };
         let touch = |body: &BodyScene| match body {
-            BodyScene::Shell(_) => true,
+            BodyScene::Shell(_) | BodyScene::Rigid(_) => true,
             BodyScene::Solid(solid) => without_surface(solid).is_none(),
             _ => false,
         };
@@ -74,6 +74,16 @@ fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     if between[0] == between[1] {
         let bound = "two bodies: one touches itself where it is alone, by [[contact]] without `between`";
         return refuse(scene, &path, &named, bound, "name another body");
+    }
+    if between.iter().all(|name| matches!(scene.bodies.get(name), Some(BodyScene::Rigid(_)))) {
+        let bound = "a body that gives way beside a rigid one: two rigid ones have no stiffness of contact";
+        return refuse(
+            scene,
+            &path,
+            &named,
+            bound,
+            "name a shell or a solid for one of them, or leave the contact out",
+        );
     }
     let same = |other: &ContactScene| {
         other.between.as_ref().is_some_and(|other| between.iter().all(|name| other.contains(name)))

@@ -6,6 +6,7 @@ use super::gauges::check_gauge;
 use super::sets::{check_set_name, only_on};
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::column_unit::ColumnUnit;
+use crate::scene::contact::ContactScene;
 use crate::scene::curve::{Measured, Probe};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::output::Output;
@@ -156,7 +157,9 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
         }
         BodyScene::Rigid(_) => {
             let mut known = vec![Displacement, Position, Velocity, Rotation, Reaction, ReactionMoment];
-            known.extend(scene.is_touched().then_some(ContactForce));
+            if scene.may_touch() {
+                known.extend([ContactForce, ContactMoment]);
+            }
             return known;
         }
         BodyScene::Shell(_) | BodyScene::Solid(_) => {}
@@ -173,7 +176,9 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     if scene.may_touch() {
         known.extend([ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea]);
     }
-    if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_rough)) {
+    let rubs = |contact: &ContactScene| contact.is_rough() && contact.is_of(scene.name);
+    let rubbed = scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_rough));
+    if rubbed || scene.scene.contact.iter().any(rubs) {
         known.push(FrictionLoss);
     }
     if solid.is_some() {

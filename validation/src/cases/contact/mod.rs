@@ -1,16 +1,30 @@
 //! Shells that touch tools, themselves and each other; a new case is a file, a line here, and one in the list.
 
+mod cantilever_on_flat;
 mod capstan;
 mod collapsed_ring;
+mod fold_pressed;
+mod hemisphere_on_flat;
 mod incline;
 mod pressed_ring;
+mod strip_lifted;
 mod two_cantilevers;
 mod wrapped_strip;
 
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 6] {
-    let [strips, rough] = [wrapped_strip::case(), capstan::case()];
-    [pressed_ring::case(), strips, collapsed_ring::case(), two_cantilevers::case(), rough, incline::case()]
+pub fn all() -> [Case; 10] {
+    [
+        pressed_ring::case(),
+        fold_pressed::case(),
+        cantilever_on_flat::case(),
+        strip_lifted::case(),
+        hemisphere_on_flat::case(),
+        wrapped_strip::case(),
+        collapsed_ring::case(),
+        two_cantilevers::case(),
+        capstan::case(),
+        incline::case(),
+    ]
 }
