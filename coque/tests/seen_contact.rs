@@ -222,7 +222,6 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     );
     let [m, w, area, gap] = ["M", "W", "area", "gap"].map(|name| column(&flew, name));
     let most = m.iter().fold(0.0_f64, |most, m| most.max(m.abs()));
-    println!("{most:.3e} {m:?} {w:?}");
     assert!(most > 1.0 && m.iter().zip(&w).all(|(m, w)| (m + w).abs() < 1e-12 * most));
     assert!(area.iter().zip(&gap).any(|(area, gap)| *area > 0.0 && *gap < 0.0));
     let slow = outcome(THROWN, &[&[("analysis.explicit.transient.duration", "0.04")]]);

@@ -1,5 +1,6 @@
 //! Checks of contacts: which bodies may touch, and where there is none.
 
+use crate::scene::analysis::Analysis;
 use crate::scene::contact::ContactScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::{BodyScene, Scene};
@@ -85,12 +86,34 @@ fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
             "name a shell or a solid for one of them, or leave the contact out",
         );
     }
+    check_unmeasured(scene, number, between)?;
     let same = |other: &ContactScene| {
         other.between.as_ref().is_some_and(|other| between.iter().all(|name| other.contains(name)))
     };
     if let Some(first) = scene.contact[..number].iter().position(same) {
         let bound = format!("named once: contact[{first}] is of the same two");
         return refuse(scene, &path, &named, &bound, "remove one of them");
+    }
+    Ok(())
+}
+
+/// Refuses what was not measured yet: solids of bonds that touch at rest, friction of what is no shell.
+fn check_unmeasured(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
+    for name in between {
+        let Some(body) = scene.bodies.get(name) else { continue };
+        let bonds = matches!(body, BodyScene::Solid(solid) if solid.galerkin().is_none());
+        if bonds && !matches!(scene.analysis, Analysis::Explicit(_)) {
+            let path = format!("contact[{number}].between");
+            let bound = "a shell, a Galerkin solid or a rigid body at rest: contact of bonds was measured in marches alone";
+            return refuse(scene, &path, &format!("\"{name}\""), bound, "march it, by [analysis.explicit]");
+        }
+        let friction = scene.contact[number].friction.filter(|_| !matches!(body, BodyScene::Shell(_)));
+        if let Some(friction) = friction {
+            let path = format!("contact[{number}].friction");
+            let bound =
+                format!("smooth where `{name}` is no shell: friction was measured between shells alone");
+            return refuse(scene, &path, &format!("{}", friction.get()), &bound, "leave `friction` out");
+        }
     }
     Ok(())
 }
