@@ -34,7 +34,8 @@ if TYPE_CHECKING:
     BodyScene_2 = TypedDict("BodyScene_2", {"solid": "SolidScene"})
     BodyScene_3 = TypedDict("BodyScene_3", {"fluid": "FluidScene"})
     BodyScene_4 = TypedDict("BodyScene_4", {"walls": "WallsScene"})
-    BodyScene: TypeAlias = Union["BodyScene_1", "BodyScene_2", "BodyScene_3", "BodyScene_4"]
+    BodyScene_5 = TypedDict("BodyScene_5", {"rigid": "RigidScene"})
+    BodyScene: TypeAlias = Union["BodyScene_1", "BodyScene_2", "BodyScene_3", "BodyScene_4", "BodyScene_5"]
     BondMeasure: TypeAlias = Union[Literal['stretch'], Literal['work']]
     Bonds = TypedDict("Bonds", {"correction": NotRequired["Correction"], "horizon": NotRequired[float], "influence": NotRequired["Influence"], "plane": NotRequired["Plane"]})
     Box3 = TypedDict("Box3", {"max": Sequence[float], "min": Sequence[float]})
@@ -64,7 +65,7 @@ if TYPE_CHECKING:
     ErrorBars = TypedDict("ErrorBars", {"probes": NotRequired[Sequence["ErrorProbe"]], "sharpen": NotRequired[bool]})
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[float], "transient": NotRequired["Transient"]})
-    Fields = TypedDict("Fields", {"every": NotRequired[int], "extruded": NotRequired[bool], "points": NotRequired[bool], "stresses": NotRequired[bool]})
+    Fields = TypedDict("Fields", {"contact": NotRequired[bool], "every": NotRequired[int], "extruded": NotRequired[bool], "points": NotRequired[bool], "stresses": NotRequired[bool]})
     Fixed: TypeAlias = Mapping[str, Any]
     FluidBlock = TypedDict("FluidBlock", {"lengths": Sequence[float], "origin": NotRequired[Sequence[float]], "spacing": float})
     FluidBlocks = TypedDict("FluidBlocks", {"parts": Sequence["FluidBox"], "spacing": float})
@@ -124,7 +125,7 @@ if TYPE_CHECKING:
     Material_2 = TypedDict("Material_2", {"orthotropic": "Orthotropic"})
     Material_3 = TypedDict("Material_3", {"file": "OfFile"})
     Material: TypeAlias = Union["Material_1", "Material_2", "Material_3"]
-    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['contact-moment'], Literal['contact-gap'], Literal['friction-loss'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
+    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['contact-moment'], Literal['contact-gap'], Literal['greatest-depth'], Literal['touching-area'], Literal['friction-loss'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
     Mesh = TypedDict("Mesh", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[float]})
     Modal = TypedDict("Modal", {"modes": int})
     Moved = TypedDict("Moved", {"by": float, "direction": Sequence[float]})
@@ -156,7 +157,14 @@ if TYPE_CHECKING:
     Region = TypedDict("Region", {"box": NotRequired["Box3"], "layer": NotRequired["Layer"], "nearest": NotRequired[Sequence[float]], "of": NotRequired[str], "plane": NotRequired["OnPlane"]})
     Relaxation = TypedDict("Relaxation", {"damping": NotRequired["RelaxationDamping"], "force": NotRequired[float], "iterations": NotRequired[int], "levels": "Levels", "tolerance": NotRequired[float]})
     RelaxationDamping: TypeAlias = Union[Literal['kinetic'], Literal['rayleigh']]
+    RigidBall = TypedDict("RigidBall", {"centre": Sequence[float], "radius": float, "spacing": float})
     RigidBody = TypedDict("RigidBody", {"at": NotRequired[Sequence[float]], "inertia": NotRequired["PerAxis"], "mass": NotRequired[float], "on": str, "products": NotRequired[Sequence[float]]})
+    RigidBox = TypedDict("RigidBox", {"max": Sequence[float], "min": Sequence[float], "spacing": float})
+    RigidGeometry_1 = TypedDict("RigidGeometry_1", {"ball": "RigidBall"})
+    RigidGeometry_2 = TypedDict("RigidGeometry_2", {"box": "RigidBox"})
+    RigidGeometry_3 = TypedDict("RigidGeometry_3", {"mesh": "Mesh"})
+    RigidGeometry: TypeAlias = Union["RigidGeometry_1", "RigidGeometry_2", "RigidGeometry_3"]
+    RigidScene = TypedDict("RigidScene", {"density": NotRequired[float], "geometry": "RigidGeometry", "inertia": NotRequired["PerAxis"], "mass": NotRequired[float], "products": NotRequired[Sequence[float]], "velocity": NotRequired["Velocity"]})
     Rotated = TypedDict("Rotated", {"axis": Sequence[float], "by": float})
     RoundHole = TypedDict("RoundHole", {"axis": Sequence[float], "point": Sequence[float], "radius": float})
     Scattered = TypedDict("Scattered", {"seed": int, "spacing": float})
