@@ -72,6 +72,11 @@ impl Acting {
         self.interaction.shortened(stable, safety, &now)
     }
 
+    /// Takes note that the systems have moved.
+    pub fn moved(&mut self) {
+        self.interaction.moved();
+    }
+
     /// What acts.
     pub fn interaction(&self) -> &dyn Interaction {
         &*self.interaction

@@ -69,6 +69,9 @@ pub trait Interaction: Any + Send {
         stable
     }
 
+    /// Takes note that places have moved: what was found for them before a step that a record was taken in is not that of the next evaluation.
+    fn moved(&mut self) {}
+
     /// Refuses a state outside the range of the model.
     ///
     /// # Errors

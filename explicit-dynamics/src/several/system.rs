@@ -99,6 +99,7 @@ impl<S: Joinable + ?Sized> Dynamics for Several<S> {
 
     fn drift(&mut self, step: &Step) {
         self.systems.iter_mut().for_each(|system| system.drift(step));
+        self.acting.iter_mut().for_each(Acting::moved);
         self.acting.iter_mut().for_each(Acting::commit);
     }
 

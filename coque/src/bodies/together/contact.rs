@@ -216,6 +216,10 @@ impl explicit_dynamics::Interaction for TouchingBodies {
         step
     }
 
+    fn moved(&mut self) {
+        self.looked = false;
+    }
+
     fn within_bounds(&self) -> Result<(), OutOfBounds> {
         let Some(value) = self.pace.as_ref().and_then(Pace::pressed) else { return Ok(()) };
         let place = format!("{}, pressed through {}", self.names[0], self.names[1]);
