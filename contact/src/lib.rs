@@ -76,7 +76,7 @@
 //! | what nodes feel of contact, to be read; gaps | `nodal.rs` |
 //! | bodies that are too near although nothing acts between them | `unseen.rs` |
 //! | friction on tools, its anchors, what it loses | `friction.rs` |
-//! | friction of surfaces on each other, anchors in their faces | `surfaces/rubbing.rs`, `grips.rs` |
+//! | friction of surfaces on each other, anchors in their faces | `surfaces/rubbing.rs`; their history `surfaces/remembering.rs`, `grips.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
 //! | springs between places of two bodies | `joints.rs` |
 //!

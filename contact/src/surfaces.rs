@@ -3,6 +3,7 @@
 mod acting;
 mod following;
 mod reaching;
+mod remembering;
 mod rubbing;
 
 use sph_core::Vec3;

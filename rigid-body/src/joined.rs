@@ -38,7 +38,7 @@ impl Joinable for RigidBody {
     }
 
     fn unscaled(&self, particles: &[u32], v: &[f64], out: &mut [[f64; 3]]) {
-        let (axes, [place, turn]) = (self.motion.turn.axes(), self.from_scaled(v));
+        let (axes, [place, turn]) = (self.motion.turn.axes(), self.unscaled_motion(v));
         for (out, &a) in out.iter_mut().zip(particles) {
             *out = (place + turn.cross(&(axes * self.arms[a as usize]))).into();
         }
@@ -49,7 +49,7 @@ impl Joinable for RigidBody {
         for (&a, &force) in particles.iter().zip(forces) {
             wrench.add(&Vec3::from(force), &(axes * self.arms[a as usize]));
         }
-        let scaled = self.to_scaled(&wrench);
+        let scaled = self.scaled_wrench(&wrench);
         out.iter_mut().zip(scaled.iter()).for_each(|(sum, part)| *sum += part);
     }
 }

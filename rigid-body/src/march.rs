@@ -161,14 +161,14 @@ impl RigidBody {
     }
 
     /// A motion of mass-scaled coordinates, in which turns go by principal axes: `M^{-½} v` without what supports hold.
-    pub(crate) fn from_scaled(&self, v: &[f64]) -> [Vec3; 2] {
+    pub(crate) fn unscaled_motion(&self, v: &[f64]) -> [Vec3; 2] {
         let place = self.hold.free_part(&Vec3::new(v[0], v[1], v[2])) / self.mass.sqrt();
         let turn = self.free_scaled(Vec3::new(v[3], v[4], v[5])).component_div(&self.moments.map(f64::sqrt));
         [place, self.motion.turn.axes() * turn]
     }
 
     /// Force and moment in mass-scaled coordinates: `M^{-½} f` without what supports hold.
-    pub(crate) fn to_scaled(&self, wrench: &Wrench) -> Vector6<f64> {
+    pub(crate) fn scaled_wrench(&self, wrench: &Wrench) -> Vector6<f64> {
         let place = self.hold.free_part(&wrench.force) / self.mass.sqrt();
         let own = self.motion.turn.axes().tr_mul(&wrench.moment);
         stacked(&place, &self.free_scaled(own.component_div(&self.moments.map(f64::sqrt))))
@@ -194,16 +194,16 @@ impl LinearisedDynamics for RigidBody {
     }
 
     fn apply(&mut self, v: &[f64], out: &mut [f64]) {
-        let [place, turn] = self.from_scaled(v);
+        let [place, turn] = self.unscaled_motion(v);
         let forces = self.stiffness() * stacked(&place, &turn);
         let [force, moment] = [0, 3].map(|k| Vec3::new(forces[k], forces[k + 1], forces[k + 2]));
-        out.copy_from_slice(self.to_scaled(&Wrench { force, moment }).as_slice());
+        out.copy_from_slice(self.scaled_wrench(&Wrench { force, moment }).as_slice());
     }
 }
 
 impl MassScaled for RigidBody {
     fn out_of_balance(&self, out: &mut [f64]) {
-        out.copy_from_slice(self.to_scaled(&(self.external - self.internal)).as_slice());
+        out.copy_from_slice(self.scaled_wrench(&(self.external - self.internal)).as_slice());
     }
 
     fn rates(&self, out: &mut [f64]) {

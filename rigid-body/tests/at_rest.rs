@@ -1,5 +1,7 @@
 //! Rigid bodies without time: tangent, equilibria, modes on springs.
 
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
 use explicit_dynamics::Amplitude;
 use implicit_statics::{Equilibrium, Joinable};
 use rigid_body::{Load, Parts, RestingBody, RigidBody, RotationHold, Spring, Support, cuboid};

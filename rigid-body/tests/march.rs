@@ -1,5 +1,7 @@
 //! Rigid bodies in time: free tops, gravity, supports, springs.
 
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
 use explicit_dynamics::{Amplitude, Dynamics, Instant, Joinable};
 use nalgebra::Matrix3;
 use rigid_body::{Load, MassProperties, Parts, RigidBody, RotationHold, Spring, Support, cuboid};

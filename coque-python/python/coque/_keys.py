@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     Branches: TypeAlias = Union[Literal['primary'], Literal['stable'], Literal['stable-reversed']]
     Buckling = TypedDict("Buckling", {"modes": int, "prebuckling": NotRequired["Prebuckling"], "sign": NotRequired["Sign"]})
     Contact = TypedDict("Contact", {"distance": NotRequired[float], "walls": NotRequired[Sequence["Wall"]]})
-    ContactScene = TypedDict("ContactScene", {"between": NotRequired[Sequence[str]], "rounding": NotRequired[float], "stiffness": NotRequired[float]})
+    ContactScene = TypedDict("ContactScene", {"between": NotRequired[Sequence[str]], "friction": NotRequired[float], "rounding": NotRequired[float], "stiffness": NotRequired[float]})
     Correction: TypeAlias = Union[Literal['none'], Literal['even'], Literal['balanced'], Literal['energy-factor']]
     Couple = TypedDict("Couple", {"axis": "Axis", "moment": float})
     Coupling = TypedDict("Coupling", {"impedance": NotRequired[bool], "order": NotRequired["CouplingOrder"]})

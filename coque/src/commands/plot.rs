@@ -227,7 +227,7 @@ fn lists(plot: &Plot) -> Result<Vec<PathBuf>, String> {
         return Ok(vec![of(&format!("{body}.pvd"))]);
     }
     let (tools, all): (Vec<PathBuf>, Vec<PathBuf>) =
-        frame_lists(&plot.folder).into_iter().partition(are_tools);
+        frame_lists(&plot.folder).into_iter().partition(|list: &PathBuf| are_tools(list));
     let [shell, solid] = ["shell.pvd", "solid.pvd"].map(of);
     // Beside the list of a lone shell that of a solid is the same shell with its thickness.
     if all.is_empty() || all == [shell.clone(), solid] {
@@ -243,7 +243,7 @@ fn lists(plot: &Plot) -> Result<Vec<PathBuf>, String> {
 }
 
 /// Whether a list is one of tools.
-fn are_tools(list: &PathBuf) -> bool {
+fn are_tools(list: &Path) -> bool {
     let name = list.file_stem().unwrap_or_default().to_string_lossy();
     name == "tools" || name.ends_with("-tools")
 }

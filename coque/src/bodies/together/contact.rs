@@ -1,10 +1,11 @@
 //! Two bodies that may touch: from the scene's words to what acts between systems.
 
-use contact::{Law, Mesh, Moving, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
+use contact::{Law, Mesh, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
 use explicit_dynamics::{OutOfBounds, OutOfRange, Places};
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
+use super::moving::MovingPlaces;
 use super::skin::{Between, Skin};
 
 /// How much farther than they touch parts are listed, over the lesser spacing.
@@ -359,27 +360,5 @@ impl TouchingBodies {
 
     fn pace_of(&self, masses: &[f64]) -> Pace {
         Pace::new(&self.contact, |node| self.skin.mass(masses, node))
-    }
-}
-
-/// Places that move.
-struct MovingPlaces<'a> {
-    skin: &'a Skin,
-    now: &'a Places<'a>,
-}
-
-impl Moving for MovingPlaces<'_> {
-    fn mass(&self, node: Node) -> f64 {
-        self.skin.mass(self.now.masses, node)
-    }
-
-    fn velocity(&self, node: Node) -> Vec3 {
-        self.skin.place(self.now.velocities, node)
-    }
-
-    fn greatest_speed(&self) -> f64 {
-        let all = || self.now.velocities.iter().map(|&v| Vec3::from(v));
-        let mean = all().sum::<Vec3>() / self.now.velocities.len().max(1) as f64;
-        all().map(|v| (v - mean).norm_squared()).fold(0.0, f64::max).sqrt()
     }
 }

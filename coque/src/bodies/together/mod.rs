@@ -12,6 +12,7 @@ mod contact;
 mod joints;
 mod layout;
 mod march;
+mod moving;
 mod nodal;
 mod parts;
 mod sides;

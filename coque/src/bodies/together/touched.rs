@@ -46,7 +46,7 @@ fn refuse_depth(scene: &Scene, number: usize, contact: &mut TouchingBodies) -> R
     let [here, there] = places.map(|x| format!("[{:.4}, {:.4}, {:.4}]", x.x, x.y, x.z));
     let distance = contact.distance();
     let value = format!("two bodies with {here} and {there}, {:.4e} apart", (1.0 - depth) * distance);
-    let bound = format!("apart by what makes their faces touch ({distance:.4e}) or more");
+    let bound = format!("the distance at which their faces touch ({distance:.4e}) apart or more");
     let repair = "move them apart, or leave the contact out";
     Err(SceneError::Choice(scene.scope().fault(&format!("contact[{number}]"), &value, &bound, repair)))
 }
