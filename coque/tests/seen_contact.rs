@@ -192,7 +192,8 @@ fn the_gap_of_a_shell_to_itself_is_straight_across() {
     );
 }
 
-/// A plate thrown fast at another: deep, in short steps, with the moment of what either does to the other the same.
+/// A plate thrown fast at another: deep, in short steps, with the moment of what either does to the other the same although every step is
+/// recorded; energy is off by .3 %.
 #[test]
 fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     let curve = "[{ name = 'depth', of = 'greatest-depth', on = 'target.all' }, \
@@ -203,8 +204,8 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
                   { name = 'W', of = 'contact-moment', on = 'thrown.all', direction = [1, 2, 3], about = [0.3, -1.0, 2.0] }]";
     let fast = [
         ("curve", curve),
-        ("bodies.thrown.shell.velocity.linear", "[1.0, 0.5, -5.0]"),
-        ("analysis.explicit.transient", "{ duration = 0.01, record_every = 2e-4 }"),
+        ("bodies.thrown.shell.velocity.linear", "[2.8, 1.4, -14.0]"),
+        ("analysis.explicit.transient", "{ duration = 0.0057, record_every = 2e-4 }"),
     ];
     let flew = outcome(THROWN, &[&fast]);
     let record = &flew.summary.record;
@@ -216,10 +217,12 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     let short = record.shortened.unwrap();
     let said = reported(&flew, WarningKind::ShortenedStep).unwrap();
     assert!(
-        short.least < 0.9
+        short.least < 0.5
             && said.contains(&format!("contact made {} of {} steps", short.steps, record.steps)),
         "{said}"
     );
+    let balance = record.balance.unwrap();
+    assert!(balance.share().abs() < 1e-2, "{balance:?}");
     let [m, w, area, gap] = ["M", "W", "area", "gap"].map(|name| column(&flew, name));
     let most = m.iter().fold(0.0_f64, |most, m| most.max(m.abs()));
     assert!(most > 1.0 && m.iter().zip(&w).all(|(m, w)| (m + w).abs() < 1e-12 * most));
