@@ -1,7 +1,8 @@
 //! Bodies between which nothing acts: where they are nearer than their faces allow, or in each other.
 //!
 //! It looks at places alone. A pair of cells counts where it is nearer than the sum D of the half thicknesses, or where an edge of one
-//! goes through the other; pairs that were near at rest already do not. What passes between two looks is not found.
+//! goes through the other; pairs that were near at rest already do not. Cells that butt, one beyond the edge of the other and in its plane, do
+//! not either: a strip whose ends meet is a ring. What passes between two looks is not found.
 
 use sph_core::{Cell, CellList, Vec3};
 
@@ -9,6 +10,10 @@ use crate::nearest::{Part, on_triangle};
 
 /// Distance at rest over D within which cells of one body, or of two that are joined, do not count.
 const NEAR_AT_REST: f64 = 1.6;
+/// Least part of the way between two places that leads along the normal where one is over the other \[–\].
+const OVER: f64 = 0.5;
+/// Part of D below which the direction from one to the other tells nothing; what goes on from there crosses.
+const NO_DIRECTION: f64 = 0.05;
 /// Part of D by which nothing but rounding counts as nearer.
 const ROUNDING: f64 = 1e-6;
 
@@ -141,12 +146,19 @@ fn distance([c, d]: [&Cell; 2], [of_c, of_d]: [&[Vec3]; 2], touching: f64) -> Op
     }
     let mut best: Option<([Vec3; 2], f64)> = None;
     for (own, other, turned) in [(&c, &d, false), (&d, &c, true)] {
+        let normal = other.normal();
+        let over = |way: Vec3, away: f64| {
+            normal.is_none_or(|n| away > NO_DIRECTION * touching && n.dot(&way).abs() >= OVER * away)
+        };
         for triangle in other.triangles() {
             for place in own.places() {
                 let (part, square) = on_triangle(place, triangle);
                 let away = square.sqrt();
                 if away < touching && best.is_none_or(|(_, least)| away < least) {
                     let there = foot(place, triangle, part);
+                    if !over(place - there, away) {
+                        continue;
+                    }
                     best = Some((if turned { [there, *place] } else { [*place, there] }, away));
                 }
             }
@@ -278,6 +290,12 @@ mod tests {
                 let [here, there] = found.places;
                 assert!(((here - there).norm() - found.distance).abs() < 1e-12 && here.z == 0.0);
             }
+        }
+        // End to end in one plane nothing is over the other.
+        for gap in [0.15, 1e-3] {
+            let beside: Vec<Vec3> = rest.iter().map(|x| x + Vec3::new(4.0 + gap, 0.3, 0.0)).collect();
+            let next = Bystander { cells: &cells, rest: &far, now: &beside, half: HALF };
+            assert_eq!(lower.in_each_other(&next, false), None, "{gap}");
         }
         // A sheet on edge, its particles farther from the other than they may be, its edges through it.
         let stands: Vec<Vec3> = rest.iter().map(|x| Vec3::new(2.3, x.x, x.y - 1.5)).collect();

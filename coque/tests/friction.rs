@@ -92,7 +92,9 @@ fn a_belt_over_a_drum_is_drawn_as_euler_says() {
     assert!(gap > 0.0 && gap < 0.0343, "{gap}");
     assert!((ratio / exact - 1.0).abs() < 0.01, "{ratio} {exact}");
     assert!(loss.abs() < 1.3e-3, "{loss:e}");
-    assert!(outcome.summary.record.warnings.is_empty(), "{:?}", outcome.summary.record.warnings);
+    // Its cells sag by a third of the half thickness, which is said.
+    let warnings = &outcome.summary.record.warnings;
+    assert!(warnings.iter().all(|own| own.kind == coque::WarningKind::CoarseContact), "{warnings:?}");
 }
 
 #[test]

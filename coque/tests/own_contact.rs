@@ -25,7 +25,11 @@ fn broken_contacts_say_where_and_why() {
     let still = ("analysis", "{ explicit = { transient = { duration = 1.0, record_every = 0.1 } } }");
     let thin = ("parts", "[{ on = 'upper', section = { homogeneous = { thickness = 0.04 } } }]");
     let cases: [(&str, Replaced, &str); 7] = [
-        ("two bodies", &[("contact", "[{ between = ['a', 'b'] }]")], "a shell or a solid of the scene"),
+        (
+            "two bodies",
+            &[("contact", "[{ between = ['a', 'b'] }]")],
+            "a shell, a solid or a rigid body of the scene",
+        ),
         ("twice", &[("contact", "[{}, {}]")], "another contact"),
         ("a linear analysis", &[("analysis", "{ linear = {} }")], "nothing opens or closes"),
         ("a stiffness of zero", &[("contact", "[{ stiffness = 0.0 }]")], "contact[0].stiffness"),

@@ -82,7 +82,7 @@ fn pairs_that_make_no_sense_are_refused() {
         scene.and_then(|scene| scene.build(1).map(drop)).unwrap_err().to_string()
     };
     for (contact, says) in [
-        ("[{ between = [\"thrown\", \"wall\"] }]", "a shell or a solid of the scene"),
+        ("[{ between = [\"thrown\", \"wall\"] }]", "a shell, a solid or a rigid body of the scene"),
         ("[{ between = [\"thrown\", \"thrown\"] }]", "two bodies"),
         (
             "[{ between = [\"thrown\", \"target\"] }, { between = [\"target\", \"thrown\"] }]",

@@ -48,6 +48,7 @@ const EXAMPLES: [Example; 61] = [
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
     Example::new("dam-break", 3.0, include_str!("../../../scenes/dam-break.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
+    Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("gate", 7.0, include_str!("../../../scenes/gate.toml")),
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),
