@@ -316,8 +316,8 @@ mod tests {
             };
             rest.iter().map(at).collect()
         };
-        // A whole turn closes at the radius 12/(2π) = 1.91.
-        for (radius, near) in [(2.2, false), (1.95, false), (1.92, true), (1.6, true)] {
+        // A whole turn closes at the radius 12/(2π) = 1.91: ends that butt are no harm, those that overlap are in each other.
+        for (radius, near) in [(2.2, false), (1.95, false), (1.92, false), (1.8, true), (1.6, true)] {
             let now = rolled(radius);
             let body = Bystander { cells: &cells, rest: &rest, now: &now, half: HALF };
             assert_eq!(body.in_itself().is_some(), near, "{radius}");
