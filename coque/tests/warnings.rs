@@ -19,6 +19,9 @@ fn words(name: &str, replaced: Replaced) -> Vec<WarningKind> {
     model.warnings().iter().map(|warning| warning.kind).collect()
 }
 
+/// What a scene raises all the same: the sled has few cells, and slides without turning.
+const RAISED: (&str, WarningKind) = ("plate-on-plate.toml", WarningKind::ScaledInertia);
+
 /// Scenes of the repository, which `coque new` hands out as templates, and the one on a mesh.
 #[test]
 fn scenes_of_the_repository_raise_no_warning() {
@@ -27,7 +30,9 @@ fn scenes_of_the_repository_raise_no_warning() {
             if file.extension().is_some_and(|end| end == "toml") {
                 let text = std::fs::read_to_string(&file).unwrap();
                 let model = overridden(&text, &file.display().to_string(), &[]).unwrap().build(1).unwrap();
-                assert_eq!(model.warnings(), [], "{}", file.display());
+                let kinds: Vec<_> = model.warnings().iter().map(|warning| warning.kind).collect();
+                let raised = if file.ends_with(RAISED.0) { vec![RAISED.1] } else { Vec::new() };
+                assert_eq!(kinds, raised, "{}: {:?}", file.display(), model.warnings());
             }
         }
     }
