@@ -2,75 +2,16 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
-use contact::{Law, Mesh, Node, SurfaceContact, SurfaceTouch, Touching};
-use nalgebra::{Matrix3, Rotation3};
+mod common;
+
+use common::{At, TOUCHING, Two, number, sheet};
+use contact::{Mesh, SurfaceContact};
+use nalgebra::Rotation3;
 use sph_core::{Cell, Vec3};
 
 const MU: f64 = 0.3;
-const TOUCHING: Touching =
-    Touching { distance: 0.2, law: Law::SHARP, stiffness: 7.0, skin: 0.3, edges: false };
-
-fn number(seed: usize) -> f64 {
-    let x = libm::sin(12.9898 * seed as f64 + 4.1) * 43758.5453;
-    2.0 * (x - libm::floor(x)) - 1.0
-}
-
-/// Squares of a size, turned in their plane, each node moved off its place by a part of a cell.
-fn sheet(count: u32, size: f64, turned: f64, rugged: f64) -> (Vec<Cell>, Vec<Vec3>) {
-    let turn = Rotation3::from_axis_angle(&Vec3::z_axis(), turned);
-    let place = |a: u32| {
-        let off = Vec3::from_fn(|k, _| number(3 * a as usize + k)) * rugged;
-        turn * ((Vec3::new(f64::from(a % (count + 1)), f64::from(a / (count + 1)), 0.0) + off) * size)
-    };
-    let rest = (0..(count + 1) * (count + 1)).map(place).collect();
-    let cell = |i: u32| {
-        let a = i % count + (i / count) * (count + 1);
-        Cell { corners: [a, a + 1, a + count + 2, a + count + 1], count: 4 }
-    };
-    ((0..count * count).map(cell).collect(), rest)
-}
-
-type At = [Vec<Vec3>; 2];
-
-struct Two {
-    contact: SurfaceContact,
-    at: At,
-}
-
-impl Two {
-    /// A smaller sheet a way above a larger one.
-    fn new(up: Vec3, rugged: f64, friction: f64) -> Self {
-        let (cells, below) = sheet(6, 1.0, 0.0, rugged);
-        let (others, mut above) = sheet(5, 0.6, 0.1, rugged);
-        above.iter_mut().for_each(|x| *x += up);
-        let meshes = [Mesh::new(&cells, &below, |_| 0.1), Mesh::new(&others, &above, |_| 0.1)];
-        let contact = SurfaceContact::between(meshes, [&below, &above], TOUCHING).with_friction(friction);
-        Self { contact, at: [below, above] }
-    }
-
-    fn look(&mut self) -> SurfaceTouch {
-        let Self { contact, at } = self;
-        contact.look(|(body, a)| at[body][a as usize])
-    }
-
-    fn forces(&self) -> At {
-        let mut forces = [0, 1].map(|body: usize| vec![Vec3::zeros(); self.at[body].len()]);
-        self.contact.forces(|(body, a), force| forces[body][a as usize] += force);
-        forces
-    }
-
-    fn tangent(&self, way: &At) -> At {
-        let mut out = [0, 1].map(|body: usize| vec![Vec3::zeros(); self.at[body].len()]);
-        let at = |(body, a): Node| self.at[body][a as usize];
-        self.contact.tangent(at, |(b, a), (c, d), block: &Matrix3<f64>| {
-            out[b][a as usize] += block * way[c][d as usize];
-        });
-        out
-    }
-
-    fn shift(&mut self, by: Vec3) {
-        self.at[1].iter_mut().for_each(|x| *x += by);
-    }
+fn sheets(up: Vec3, rugged: f64, friction: f64) -> Two {
+    Two::new(5, up, rugged, TOUCHING, friction)
 }
 
 fn dot(a: &At, b: &At) -> f64 {
@@ -90,7 +31,7 @@ const ROUGH: f64 = 1e6;
 
 /// Touches, and then is moved by a way.
 fn moved(rugged: f64, friction: f64, by: Vec3) -> Two {
-    let mut two = Two::new(UP, rugged, friction);
+    let mut two = sheets(UP, rugged, friction);
     two.look();
     two.contact.commit();
     two.shift(by);
@@ -192,10 +133,10 @@ fn the_tangent_of_what_slips_is_that_of_forces_that_turn() {
 fn work_is_what_friction_stores_and_loses() {
     for (steps, long, bound) in [(800, 0.00625, 7e-5), (800, 0.05, 7e-4), (100, 0.4, 1.8e-2)] {
         let (up, mut without) = (Vec3::new(1.4, 1.2, 0.18), None::<Two>);
-        let mut two = Two::new(up, 0.0, MU);
+        let mut two = sheets(up, 0.0, MU);
         two.look();
         two.contact.commit();
-        let smooth = without.get_or_insert_with(|| Two::new(up, 0.0, 0.0));
+        let smooth = without.get_or_insert_with(|| sheets(up, 0.0, 0.0));
         let (mut work, mut lost, mut before, mut largest) = (0.0, 0.0, None::<(Vec3, Vec3)>, 0.0_f64);
         let (home, mut held) = (two.at[1].clone(), 0.0);
         for step in 0..steps {
@@ -244,9 +185,9 @@ fn a_history_is_taken_up_and_what_parts_loses_what_was_stored() {
     let mut two = stuck(0.05);
     two.look();
     two.contact.commit();
-    let smooth = Two::new(UP, 0.05, 0.0);
+    let smooth = sheets(UP, 0.05, 0.0);
     let history = two.contact.history();
-    let mut other = Two { contact: Two::new(UP, 0.05, ROUGH).contact, at: two.at.clone() };
+    let mut other = Two { contact: sheets(UP, 0.05, ROUGH).contact, at: two.at.clone() };
     assert!(other.contact.take_up_history(&history));
     two.shift(Vec3::new(0.0, 0.002, 0.0));
     other.shift(Vec3::new(0.0, 0.002, 0.0));
@@ -268,7 +209,7 @@ fn a_history_is_taken_up_and_what_parts_loses_what_was_stored() {
 /// What comes to touch in a long step has slipped from where it was.
 #[test]
 fn what_hovers_before_a_step_rubs_in_it() {
-    let mut two = Two::new(Vec3::new(1.4, 1.2, 0.25), 0.0, MU);
+    let mut two = sheets(Vec3::new(1.4, 1.2, 0.25), 0.0, MU);
     two.look();
     two.contact.commit();
     let free = two.contact.clone();

@@ -2,73 +2,15 @@
 
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
-use contact::{Law, Mesh, Node, SurfaceContact, SurfaceTouch, Touching};
+mod common;
+
+use common::{TOUCHING, Two, number, sheet};
+use contact::{Law, Mesh, Node, SurfaceContact, Touching};
 use nalgebra::{Matrix3, Rotation3};
-use sph_core::{Cell, Vec3};
+use sph_core::Vec3;
 
-fn number(seed: usize) -> f64 {
-    let x = libm::sin(12.9898 * seed as f64 + 4.1) * 43758.5453;
-    2.0 * (x - libm::floor(x)) - 1.0
-}
-
-/// Squares of a size over a corner of a plane, turned in it, each node moved off its place by a part of a cell.
-fn sheet(count: u32, size: f64, turned: f64, rugged: f64) -> (Vec<Cell>, Vec<Vec3>) {
-    let turn = Rotation3::from_axis_angle(&Vec3::z_axis(), turned);
-    let place = |a: u32| {
-        let off = Vec3::from_fn(|k, _| number(3 * a as usize + k)) * rugged;
-        turn * ((Vec3::new(f64::from(a % (count + 1)), f64::from(a / (count + 1)), 0.0) + off) * size)
-    };
-    let rest = (0..(count + 1) * (count + 1)).map(place).collect();
-    let cell = |i: u32| {
-        let a = i % count + (i / count) * (count + 1);
-        Cell { corners: [a, a + 1, a + count + 2, a + count + 1], count: 4 }
-    };
-    ((0..count * count).map(cell).collect(), rest)
-}
-
-const TOUCHING: Touching =
-    Touching { distance: 0.2, law: Law::SHARP, stiffness: 7.0, skin: 0.3, edges: false };
-
-/// Two sheets of unlike cells with their nodes.
-struct Two {
-    contact: SurfaceContact,
-    at: [Vec<Vec3>; 2],
-}
-
-impl Two {
-    /// The second a way above the first.
-    fn new(up: Vec3, rugged: f64, touching: Touching) -> Self {
-        let (cells, below) = sheet(6, 1.0, 0.0, rugged);
-        let (others, mut above) = sheet(9, 0.6, 0.1, rugged);
-        above.iter_mut().for_each(|x| *x += up);
-        let meshes = [Mesh::new(&cells, &below, |_| 0.1), Mesh::new(&others, &above, |_| 0.1)];
-        let contact = SurfaceContact::between(meshes, [&below, &above], touching);
-        Self { contact, at: [below, above] }
-    }
-
-    fn look(&mut self) -> SurfaceTouch {
-        let Self { contact, at } = self;
-        contact.look(|(body, a)| at[body][a as usize])
-    }
-
-    fn forces(&self) -> [Vec<Vec3>; 2] {
-        let mut forces = [0, 1].map(|body: usize| vec![Vec3::zeros(); self.at[body].len()]);
-        self.contact.forces(|(body, a), force| forces[body][a as usize] += force);
-        forces
-    }
-
-    fn tangent(&self, way: &[Vec<Vec3>; 2]) -> [Vec<Vec3>; 2] {
-        let mut out = [0, 1].map(|body: usize| vec![Vec3::zeros(); self.at[body].len()]);
-        let at = |(body, a): Node| self.at[body][a as usize];
-        self.contact.tangent(at, |(b, a), (c, d), block: &Matrix3<f64>| {
-            out[b][a as usize] += block * way[c][d as usize];
-        });
-        out
-    }
-
-    fn moved(&self, way: &[Vec<Vec3>; 2], by: f64) -> [Vec<Vec3>; 2] {
-        [0, 1].map(|b| self.at[b].iter().zip(&way[b]).map(|(x, u)| x + u * by).collect())
-    }
+fn sheets(up: Vec3, rugged: f64, touching: Touching) -> Two {
+    Two::new(9, up, rugged, touching, 0.0)
 }
 
 fn way(two: &Two) -> [Vec<Vec3>; 2] {
@@ -83,7 +25,7 @@ fn way(two: &Two) -> [Vec<Vec3>; 2] {
 fn forces_are_the_gradient_of_the_energy_and_the_tangent_that_of_the_forces() {
     for (rugged, up, edges) in [(0.02, 0.13, false), (0.1, 0.2, false), (0.1, 0.15, true)] {
         let law = Law::new(0.05).unwrap();
-        let mut two = Two::new(Vec3::new(0.6, 0.2, up), rugged, Touching { edges, law, ..TOUCHING });
+        let mut two = sheets(Vec3::new(0.6, 0.2, up), rugged, Touching { edges, law, ..TOUCHING });
         let way = way(&two);
         let touch = two.look();
         assert!(touch.greatest_depth > 0.2 && touch.greatest_depth < 0.99, "{touch:?}");
@@ -123,7 +65,7 @@ fn forces_are_the_gradient_of_the_energy_and_the_tangent_that_of_the_forces() {
 #[test]
 fn forces_have_neither_sum_nor_moment() {
     for edges in [false, true] {
-        let mut two = Two::new(Vec3::new(0.4, 0.3, 0.11), 0.2, Touching { edges, ..TOUCHING });
+        let mut two = sheets(Vec3::new(0.4, 0.3, 0.11), 0.2, Touching { edges, ..TOUCHING });
         two.look();
         let forces = two.forces();
         let (mut sum, mut moment, mut size) = (Vec3::zeros(), Vec3::zeros(), 0.0);
@@ -142,7 +84,7 @@ fn forces_have_neither_sum_nor_moment() {
 fn the_energy_is_continuous_on_any_way() {
     let (step, mut met, mut worst) = (1e-3, 0, 0.0_f64);
     for seed in 0..30 {
-        let mut two = Two::new(Vec3::new(0.6, 0.2, 0.26), 0.1, TOUCHING);
+        let mut two = sheets(Vec3::new(0.6, 0.2, 0.26), 0.1, TOUCHING);
         let direction = Vec3::from_fn(|k, _| number(31 * seed + k)) - Vec3::z() * number(31 * seed + 2) * 0.8;
         let mut last: Option<(f64, f64)> = None;
         for _ in 0..300 {
@@ -200,14 +142,14 @@ fn turned_mirrored_and_in_other_units_the_answer_is_the_same() {
         Rotation3::from_axis_angle(&Vec3::y_axis(), 0.7) * Rotation3::from_axis_angle(&Vec3::x_axis(), 1.9);
     let mirror = Matrix3::from_diagonal(&Vec3::new(1.0, -1.0, 1.0));
     for (map, unit) in [(*turn.matrix(), 1.0), (mirror, 1.0), (Matrix3::identity(), 1000.0)] {
-        let mut plain = Two::new(Vec3::new(0.6, 0.2, 0.13), 0.1, Touching { edges: true, ..TOUCHING });
+        let mut plain = sheets(Vec3::new(0.6, 0.2, 0.13), 0.1, Touching { edges: true, ..TOUCHING });
         let touching = Touching {
             distance: TOUCHING.distance * unit,
             skin: TOUCHING.skin * unit,
             edges: true,
             ..TOUCHING
         };
-        let mut other = Two::new(Vec3::new(0.6, 0.2, 0.13), 0.1, touching);
+        let mut other = sheets(Vec3::new(0.6, 0.2, 0.13), 0.1, touching);
         let of = |body: usize| plain.at[body].iter().map(|x| map * x * unit).collect::<Vec<_>>();
         let at = [of(0), of(1)];
         let meshes = [0, 1].map(|b| other.contact.meshes()[b].clone());
@@ -231,7 +173,7 @@ fn turned_mirrored_and_in_other_units_the_answer_is_the_same() {
 /// What is near is found anew only when something has moved: forces are those of a new list to the bit.
 #[test]
 fn an_old_list_and_a_new_one_give_the_same_bits() {
-    let mut two = Two::new(Vec3::new(0.6, 0.2, 0.25), 0.05, Touching { edges: true, ..TOUCHING });
+    let mut two = sheets(Vec3::new(0.6, 0.2, 0.25), 0.05, Touching { edges: true, ..TOUCHING });
     for i in 0..60 {
         // Common motion takes nobody anywhere.
         two.at.iter_mut().flatten().for_each(|x| *x += Vec3::new(0.3, 0.1, 0.0));
@@ -249,7 +191,7 @@ fn an_old_list_and_a_new_one_give_the_same_bits() {
 #[test]
 fn nothing_leaps_through_what_it_may_touch() {
     for gap in [0.19, 0.3, 1.5] {
-        let two = Two::new(Vec3::new(0.6, 0.2, gap), 0.0, TOUCHING);
+        let two = sheets(Vec3::new(0.6, 0.2, gap), 0.0, TOUCHING);
         let reach = |by: f64, common: Vec3| {
             let at = |(body, a): Node| two.at[body][a as usize];
             two.contact.reach(at, |(body, a)| at((body, a)) + Vec3::z() * (by * body as f64) + common)

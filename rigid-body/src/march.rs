@@ -5,12 +5,11 @@ use explicit_dynamics::{
     Work,
 };
 use nalgebra::Vector6;
-use sph_core::Vec3;
+use sph_core::{Vec3, rotated};
 
 use crate::body::RigidBody;
 use crate::conditions::{RotationHold, Wrench};
 use crate::forces::stacked;
-use crate::turn::rotated;
 
 /// Turn of a body in a step, at most \[rad\]: the error of the rule over a turn is a twelfth of its square.
 const TURN: f64 = 0.02;

@@ -137,7 +137,7 @@ fn checked(mass: f64, moments: Vec3, axes: Matrix3<f64>) -> Option<(Vec3, Matrix
 mod tests {
     use super::*;
     use crate::shapes::{ball, cuboid};
-    use crate::turn::rotated;
+    use sph_core::rotated;
 
     /// A block far from zero, turned: mass, centre and moments to rounding (3e-13 measured of the moments, for a distance of ten sizes).
     #[test]

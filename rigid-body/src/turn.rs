@@ -1,6 +1,6 @@
-//! Turns as unit quaternions, and the exponential of a rotation vector.
+//! Turns as unit quaternions.
 
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
+use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion};
 use sph_core::Vec3;
 
 /// A turn from the principal axes of a body into space.
@@ -10,22 +10,8 @@ pub(crate) struct Turn(Quaternion<f64>);
 impl Turn {
     /// Of right-handed orthonormal columns.
     pub fn of_axes(axes: &Matrix3<f64>) -> Self {
-        let m = |i: usize, j: usize| axes[(i, j)];
-        // The largest of the four squares 4q² is at least one: no small number is divided by.
-        let squares = [
-            1.0 + m(0, 0) + m(1, 1) + m(2, 2),
-            1.0 + m(0, 0) - m(1, 1) - m(2, 2),
-            1.0 - m(0, 0) + m(1, 1) - m(2, 2),
-            1.0 - m(0, 0) - m(1, 1) + m(2, 2),
-        ];
-        let largest = (0..4).fold(0, |best, k| if squares[k] > squares[best] { k } else { best });
-        let (w, [x, y, z]) = match largest {
-            0 => (squares[0], [m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)]),
-            1 => (m(2, 1) - m(1, 2), [squares[1], m(0, 1) + m(1, 0), m(0, 2) + m(2, 0)]),
-            2 => (m(0, 2) - m(2, 0), [m(0, 1) + m(1, 0), squares[2], m(1, 2) + m(2, 1)]),
-            _ => (m(1, 0) - m(0, 1), [m(0, 2) + m(2, 0), m(1, 2) + m(2, 1), squares[3]]),
-        };
-        Self::unit(Quaternion::new(w, x, y, z))
+        let of = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*axes));
+        Self::unit(of.into_inner())
     }
 
     /// Of four numbers that [`Turn::numbers`] gave.
@@ -69,21 +55,10 @@ fn exponential(theta: &Vec3) -> Quaternion<f64> {
     Quaternion::new(cos, v.x, v.y, v.z)
 }
 
-/// `exp(θ) v` by Rodrigues' formula.
-pub(crate) fn rotated(v: &Vec3, theta: &Vec3) -> Vec3 {
-    let square = theta.norm_squared();
-    if square == 0.0 {
-        return *v;
-    }
-    let angle = square.sqrt();
-    // 1 − cos without cancellation.
-    let half = libm::sin(0.5 * angle);
-    let across = theta.cross(v);
-    v + across * (libm::sin(angle) / angle) + theta.cross(&across) * (2.0 * half * half / square)
-}
-
 #[cfg(test)]
 mod tests {
+    use sph_core::rotated;
+
     use super::*;
 
     #[test]

@@ -159,6 +159,7 @@ mod held_directions;
 mod kernel;
 mod neighbours;
 mod random;
+mod rotation;
 mod sampling;
 mod surface;
 mod walls;
@@ -169,6 +170,7 @@ pub use error::SpaceError;
 pub use held_directions::HeldDirections;
 pub use kernel::{CubicSpline, Kernel, QuinticSpline, WendlandC2, WendlandC4, kernel, kernels};
 pub use neighbours::CellList;
+pub use rotation::rotated;
 pub use sampling::cell_stencil::cell_operator;
 pub use sampling::consistent::{ConsistencyReport, make_divergence_consistent};
 pub use sampling::correction::{

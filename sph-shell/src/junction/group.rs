@@ -1,12 +1,12 @@
 //! Groups of particles that move as one, on one place or as a rigid body: their triad, and how fast it turns.
 
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion};
-use sph_core::{Cell, Vec3};
+use sph_core::{Cell, Vec3, rotated};
 
 use crate::conditions::supports::{Constraint, DirectorHold};
 use crate::error::ShellError;
 use crate::junction::body::RigidBody;
-use crate::junction::rotation::{across, rotated, triad, turned};
+use crate::junction::rotation::{across, triad, turned};
 use crate::packs::Row;
 use crate::reference::Reference;
 

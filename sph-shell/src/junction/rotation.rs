@@ -1,7 +1,7 @@
 //! Rotations of groups: triads, turned vectors, and the tensors of directors and arms.
 
 use nalgebra::Matrix3;
-use sph_core::Vec3;
+use sph_core::{Vec3, rotated};
 
 /// `1 − d dᵀ`.
 pub(crate) fn across(d: &Vec3) -> Matrix3<f64> {
@@ -23,18 +23,4 @@ pub(crate) fn triad(d: &Vec3, e: &Vec3) -> Matrix3<f64> {
 pub(crate) fn turned(triad: &Matrix3<f64>, theta: &Vec3) -> Matrix3<f64> {
     let column = |i: usize| rotated(&triad.column(i).into(), theta).normalize();
     Matrix3::from_columns(&[column(0), column(1), column(2)])
-}
-
-/// `exp(θ) d` by Rodrigues' formula.
-pub(crate) fn rotated(d: &Vec3, theta: &Vec3) -> Vec3 {
-    let square = theta.norm_squared();
-    if square == 0.0 {
-        return *d;
-    }
-    let angle = square.sqrt();
-    let (sin, _) = libm::sincos(angle);
-    // 1 − cos without cancellation.
-    let half = libm::sin(0.5 * angle);
-    let turn = theta.cross(d);
-    d + turn * (sin / angle) + theta.cross(&turn) * (2.0 * half * half / square)
 }
