@@ -9,7 +9,7 @@ mod common;
 use std::ops::ControlFlow;
 
 use audit::crossings;
-use common::{DENSITY, POISSON, YOUNG, beam_parts, parts, shake, supported};
+use common::{DENSITY, POISSON, YOUNG, beam_parts, momenta, parts, shake, supported};
 use contact::{Law, stiffness};
 use explicit_dynamics::{Amplitude, Event, March, Transient};
 use implicit_statics::{Control, End, Equilibrium, Newton, PathOptions, Start, follow, stiffness_error};
@@ -164,19 +164,7 @@ struct Course {
 
 fn course(shell: &mut Shell, duration: f64) -> Course {
     let run = Transient { duration, record_every: 0.02 * duration, damping: 0.0, safety: 0.8 };
-    let masses = shell.reference().masses.clone();
-    let motion = |shell: &Shell| {
-        let (mut sums, mut sizes) = ([Vec3::zeros(); 2], [0.0; 2]);
-        for (a, m) in masses.iter().enumerate() {
-            let (x, v) = (shell.position(a), shell.velocity(a) * *m);
-            // Of the director's motion too.
-            let turning = shell.director(a).cross(&shell.director_rate(a)) * shell.reference().inertias[a];
-            sums = [sums[0] + v, sums[1] + x.cross(&v) + turning];
-            sizes = [sizes[0] + v.norm(), sizes[1] + x.cross(&v).norm()];
-        }
-        (sums, sizes)
-    };
-    let (first, sizes) = motion(shell);
+    let (first, sizes) = momenta(shell);
     let mut march = March::start(run, shell).unwrap();
     let (mut energy, mut most, mut crossed, mut depth): (f64, [f64; 2], usize, f64) = (0.0, [0.0; 2], 0, 0.0);
     let mut start = None;
@@ -185,7 +173,7 @@ fn course(shell: &mut Shell, duration: f64) -> Course {
             Event::Record(record) => {
                 let whole = *start.get_or_insert(record.energy.kinetic + record.energy.internal);
                 energy = energy.max(record.balance_error.abs() / whole);
-                let (now, _) = motion(shell);
+                let (now, _) = momenta(shell);
                 for i in 0..2 {
                     most[i] = most[i].max((now[i] - first[i]).norm() / sizes[i]);
                 }

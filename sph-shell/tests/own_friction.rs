@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{DENSITY, POISSON, YOUNG, parts};
+use common::{DENSITY, POISSON, YOUNG, momenta, parts};
 use contact::{Law, stiffness};
 use explicit_dynamics::{Event, March, Transient};
 use sph_core::{Cylinder, EndWeights, Vec3, lattice};
@@ -45,18 +45,7 @@ fn transient() -> Transient {
 #[test]
 fn walls_that_rub_keep_momentum_and_lose_what_friction_takes() {
     let mut shell = thrown(0.3, 1);
-    let masses = shell.reference().masses.clone();
-    let motion = |shell: &Shell| {
-        let (mut sums, mut sizes) = ([Vec3::zeros(); 2], [0.0; 2]);
-        for (a, m) in masses.iter().enumerate() {
-            let (x, v) = (shell.position(a), shell.velocity(a) * *m);
-            let turning = shell.director(a).cross(&shell.director_rate(a)) * shell.reference().inertias[a];
-            sums = [sums[0] + v, sums[1] + x.cross(&v) + turning];
-            sizes = [sizes[0] + v.norm(), sizes[1] + x.cross(&v).norm()];
-        }
-        (sums, sizes)
-    };
-    let (first, sizes) = motion(&shell);
+    let (first, sizes) = momenta(&shell);
     let mut march = March::start(transient(), &mut shell).unwrap();
     let (mut energy, mut most, mut start, mut taken) = (0.0_f64, [0.0_f64; 2], None, 0.0);
     loop {
@@ -65,7 +54,7 @@ fn walls_that_rub_keep_momentum_and_lose_what_friction_takes() {
                 let whole = *start.get_or_insert(record.energy.kinetic + record.energy.internal);
                 energy = energy.max(record.balance_error.abs() / whole);
                 taken = record.energy.dissipated / whole;
-                let (now, _) = motion(&shell);
+                let (now, _) = momenta(&shell);
                 for i in 0..2 {
                     most[i] = most[i].max((now[i] - first[i]).norm() / sizes[i]);
                 }

@@ -358,3 +358,17 @@ pub fn energy_error(mut body: Shell, safety: f64) -> f64 {
     let worst = records.iter().fold(0.0, |worst: f64, r| worst.max(r.balance_error.abs()));
     worst / (start.kinetic + start.internal)
 }
+
+/// Momentum and moment of momentum of a shell, and the sums of the sizes that they are made of.
+pub fn momenta(shell: &Shell) -> ([Vec3; 2], [f64; 2]) {
+    let reference = shell.reference();
+    let (mut sums, mut sizes) = ([Vec3::zeros(); 2], [0.0; 2]);
+    for (a, m) in reference.masses.iter().enumerate() {
+        let (x, v) = (shell.position(a), shell.velocity(a) * *m);
+        // Of the director's motion too.
+        let turning = shell.director(a).cross(&shell.director_rate(a)) * reference.inertias[a];
+        sums = [sums[0] + v, sums[1] + x.cross(&v) + turning];
+        sizes = [sizes[0] + v.norm(), sizes[1] + x.cross(&v).norm()];
+    }
+    (sums, sizes)
+}
