@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use nalgebra::{DMatrix, DVector, Matrix2};
-use sph_core::Vec3;
+use sph_core::{Frame, Vec3};
 
 use super::junctions::{FACET, FOLD, SHARP};
 use super::{Surface, mean_normals};
@@ -101,8 +101,8 @@ impl Lines {
 
 /// Second derivatives of a sheet at its nodes.
 struct Sheets {
-    /// Of each node the normal, two tangents and the second derivatives along them \[1/L\]; none where the nodes about it do not tell.
-    quadrics: Vec<Option<([Vec3; 3], Matrix2<f64>)>>,
+    /// Of each node a frame and the second derivatives along its tangents \[1/L\]; none where the nodes about it do not tell.
+    quadrics: Vec<Option<(Frame, Matrix2<f64>)>>,
 }
 
 impl Sheets {
@@ -140,30 +140,23 @@ impl Sheets {
 
     /// Curvature vector of the sheet at a node along a direction \[1/L\].
     fn curvature(&self, node: u32, along: &Vec3) -> Option<Vec3> {
-        let ([normal, e1, e2], second) = self.quadrics[node as usize].as_ref()?;
-        let way = nalgebra::Vector2::new(e1.dot(along), e2.dot(along));
+        let (Frame { t1, t2, n }, second) = self.quadrics[node as usize].as_ref()?;
+        let way = nalgebra::Vector2::new(t1.dot(along), t2.dot(along));
         let length = way.norm_squared();
-        (length > 0.0).then(|| normal * (way.dot(&(second * way)) / length))
+        (length > 0.0).then(|| n * (way.dot(&(second * way)) / length))
     }
 }
 
 /// The quadric through a node that fits others best; none where they do not determine it.
-fn quadric(
-    surface: &Surface,
-    node: usize,
-    normal: &Vec3,
-    about: &[u32],
-) -> Option<([Vec3; 3], Matrix2<f64>)> {
+fn quadric(surface: &Surface, node: usize, normal: &Vec3, about: &[u32]) -> Option<(Frame, Matrix2<f64>)> {
     if about.len() < COEFFICIENTS || normal.norm_squared() == 0.0 {
         return None;
     }
     let place = surface.positions[node];
-    let normal = normal.normalize();
-    let e1 = normal.cross(&Vec3::ith(normal.iamin(), 1.0)).normalize();
-    let e2 = normal.cross(&e1);
+    let frame = Frame::from_normal(*normal);
     let away: Vec<Vec3> = about.iter().map(|&other| surface.positions[other as usize] - place).collect();
     let reach = away.iter().map(Vec3::norm).fold(0.0, f64::max);
-    let local = |r: &Vec3| [e1.dot(r) / reach, e2.dot(r) / reach, normal.dot(r) / reach];
+    let local = |r: &Vec3| [&frame.t1, &frame.t2, &frame.n].map(|e| e.dot(r) / reach);
     let matrix = DMatrix::from_fn(about.len(), COEFFICIENTS, |i, k| {
         let [x, y, _] = local(&away[i]);
         [0.5 * x * x, x * y, 0.5 * y * y, x, y][k]
@@ -175,5 +168,5 @@ fn quadric(
         return None;
     }
     let c = svd.solve(&height, 0.0).ok()?;
-    Some(([normal, e1, e2], Matrix2::new(c[0], c[1], c[1], c[2]) / reach))
+    Some((frame, Matrix2::new(c[0], c[1], c[1], c[2]) / reach))
 }

@@ -5,7 +5,7 @@ use std::io;
 
 use contact::{Pose, ToolShape};
 use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
-use sph_core::Vec3;
+use sph_core::{Frame, Vec3};
 use sph_shell::Shell;
 
 use crate::scene::units::{Quantity, Units};
@@ -69,11 +69,10 @@ fn between([low, high]: [f64; 2], step: usize, of: usize) -> f64 {
     low + (high - low) * step as f64 / of as f64
 }
 
-/// Two directions across one of length one, at right angles.
+/// Two directions across one, at right angles.
 fn across(axis: &Vec3) -> [Vec3; 2] {
-    let least = Vec3::ith(axis.iamin(), 1.0);
-    let first = axis.cross(&least).normalize();
-    [first, axis.cross(&first)]
+    let Frame { t1, t2, .. } = Frame::from_normal(*axis);
+    [t1, t2]
 }
 
 impl Drawn {
