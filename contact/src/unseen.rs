@@ -162,7 +162,8 @@ fn distance([c, d]: [&Cell; 2], [of_c, of_d]: [&[Vec3]; 2], touching: f64) -> Op
                     best = Some((if turned { [there, *place] } else { [*place, there] }, away));
                 }
             }
-            if let Some(place) = own.sides().find_map(|side| through(side, triangle)) {
+            let off = NO_DIRECTION * touching;
+            if let Some(place) = own.sides().find_map(|side| through(side, triangle, off)) {
                 return Some(([place; 2], 0.0));
             }
         }
@@ -238,11 +239,12 @@ fn foot(place: &Vec3, corners: [Vec3; 3], part: Part) -> Vec3 {
     }
 }
 
-/// Where a segment goes through a triangle.
-fn through([from, to]: [Vec3; 2], [a, b, c]: [Vec3; 3]) -> Option<Vec3> {
+/// Where a segment goes through a triangle, both ends of which are off its plane by more than a distance \[L\]: edges that meet in a butt joint cross
+/// by rounding.
+fn through([from, to]: [Vec3; 2], [a, b, c]: [Vec3; 3], off: f64) -> Option<Vec3> {
     let normal = (b - a).cross(&(c - a));
     let [here, there] = [from, to].map(|end| normal.dot(&(end - a)));
-    if here * there >= 0.0 {
+    if here * there >= 0.0 || here.abs().min(there.abs()) <= off * normal.norm() {
         return None;
     }
     let place = from + (to - from) * (here / (here - there));
@@ -317,7 +319,14 @@ mod tests {
             rest.iter().map(at).collect()
         };
         // A whole turn closes at the radius 12/(2π) = 1.91: ends that butt are no harm, those that overlap are in each other.
-        for (radius, near) in [(2.2, false), (1.95, false), (1.92, false), (1.8, true), (1.6, true)] {
+        for (radius, near) in [
+            (2.2, false),
+            (1.95, false),
+            (1.92, false),
+            (12.0 / std::f64::consts::TAU, false),
+            (1.8, true),
+            (1.6, true),
+        ] {
             let now = rolled(radius);
             let body = Bystander { cells: &cells, rest: &rest, now: &now, half: HALF };
             assert_eq!(body.in_itself().is_some(), near, "{radius}");

@@ -234,6 +234,18 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
     stopped_again_and_again("thrown-fast", THROWN, &fast, 4);
 }
 
+/// Ends that butt are no harm: a strip that is rolled to a ring in balance, where they meet to rounding.
+#[test]
+fn a_ring_that_closes_is_not_in_itself() {
+    let still = [("analysis", "{ static = { levels = 8 } }"), ("geometry.plate.particles", "[49, 5]")];
+    let ring = overridden(&text("ring.toml"), "ring.toml", &still)
+        .unwrap()
+        .build(1)
+        .unwrap()
+        .run(&mut coque::Silent);
+    assert_eq!(reported(&ring, WarningKind::TouchingUnseen), None);
+}
+
 #[test]
 fn cells_that_sag_towards_a_round_tool_are_reported_before_the_run() {
     let sags = |particles: &str| {

@@ -264,7 +264,12 @@ impl Newton {
             }
             let last = iterations == phase.iterations(&self.options);
             if last && phase == Phase::Stage
-                || phase.walks(iterations, || system.front(level), &mut seen, share)
+                || phase.walks(
+                    [iterations, phase.iterations(&self.options)],
+                    || system.front(level),
+                    &mut seen,
+                    share,
+                )
             {
                 *at = level;
                 return Ok(Iterated::Cut(residuals));

@@ -4,8 +4,9 @@ use super::{Constraint, Converged, Newton};
 use crate::options::NewtonOptions;
 use crate::{Equilibrium, EquilibriumError, Front, Increment};
 
-/// The iteration in which what touches must no longer change, nor a step be shortened; else contact is softened.
-const SETTLED: usize = 4;
+/// The iteration in which what touches must no longer change, nor a step be shortened; else contact is softened. Stages take as many, so that
+/// together they are never much more than twice what the better of both takes.
+const SETTLED: usize = 20;
 /// Depth of a start over the distance at which faces touch beyond which contact is softened at once: there the barrier stands.
 const DEEP: f64 = 0.5;
 /// Tolerance of a stage: looser, the next one walks what this one left.
@@ -16,7 +17,7 @@ const IN_STAGE: usize = 8;
 /// A part of a correction.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Phase {
-    /// By the contact's own stiffness, as long as what touches settles soon.
+    /// By the contact's own stiffness, as long as what touches settles before stages would.
     Watched,
     /// By softened contact.
     Stage,
@@ -35,15 +36,22 @@ impl Phase {
         if self == Self::Stage { IN_STAGE.min(options.iterations) } else { options.iterations }
     }
 
-    /// Whether contact had better be softened, by what touches after so many iterations, by what did before, and by the share of the last
-    /// motion that was made.
-    pub fn walks(self, iterations: usize, front: impl FnOnce() -> Front, seen: &mut u64, share: f64) -> bool {
-        if self != Self::Watched || iterations > 0 && iterations + 1 < SETTLED {
+    /// Whether contact had better be softened, by what touches after so many iterations of those allowed, by what did before, and by the share of
+    /// the last motion that was made.
+    pub fn walks(
+        self,
+        [iterations, allowed]: [usize; 2],
+        front: impl FnOnce() -> Front,
+        seen: &mut u64,
+        share: f64,
+    ) -> bool {
+        let settled = SETTLED.min(allowed);
+        if self != Self::Watched || iterations > 0 && iterations + 1 < settled {
             return false;
         }
         let Front { set, depth } = front();
         let before = std::mem::replace(seen, set);
-        if iterations == 0 { depth > DEEP } else { iterations >= SETTLED && (before != set || share < 1.0) }
+        if iterations == 0 { depth > DEEP } else { iterations >= settled && (before != set || share < 1.0) }
     }
 }
 
@@ -65,7 +73,7 @@ impl Newton {
     /// Iterates to equilibrium and constraint from the present (predicted) state at `level`; `increment` holds
     /// what was predicted since the last equilibrium and takes up the corrections. The state is not put back.
     ///
-    /// Where what touches still changes in the fourth iteration, contact is softened, and stiffened stage by stage up to its own stiffness
+    /// Where what touches still changes in the twentieth iteration, contact is softened, and stiffened stage by stage up to its own stiffness
     /// ([`Equilibrium::stages_of_contact`]): the balance is that of the latter.
     pub(crate) fn correct<E: Equilibrium + ?Sized>(
         &mut self,
