@@ -1,8 +1,10 @@
 //! Newton's method at a fixed load level, or with the level as one more unknown and one more equation.
 
+mod bordered;
 mod parts;
 mod stages;
 
+pub(crate) use bordered::Constraint;
 pub(crate) use parts::within_reach;
 
 use stages::{Iterated, Phase};
@@ -42,16 +44,6 @@ pub struct Increment {
     pub motion: Vec<f64>,
     /// Change of level.
     pub level: f64,
-}
-
-/// The equation beside equilibrium.
-pub(crate) enum Constraint<'a> {
-    /// The level is given.
-    Level,
-    /// `c·Δq = target`.
-    Functional { weights: &'a [f64], target: f64 },
-    /// `Σ wᵢ Δqᵢ² + ψ² Δλ² = R²` \[crisfield1981\], linearised consistently \[schweizerhof1986\].
-    Sphere { weights: &'a [f64], load: f64, radius: f64 },
 }
 
 /// `K⁻¹ p`, p the load rate at the present state: the linear answer to a unit of level. The state stays.
@@ -338,48 +330,6 @@ impl Newton {
     pub(crate) fn length(&self, motion: &[f64]) -> f64 {
         let scale = self.solver.scale();
         motion.iter().zip(scale).map(|(q, s)| (q / s) * (q / s)).sum::<f64>().sqrt()
-    }
-
-    /// One bordered solve: `K δ = r + δλ p` with the constraint linearised, by two solves with one factor
-    /// \[batoz1979\].
-    fn correction<E: Equilibrium + ?Sized>(
-        &mut self,
-        system: &mut E,
-        level: f64,
-        increment: &Increment,
-        constraint: &Constraint,
-    ) -> Result<Increment, EquilibriumError> {
-        let mut motion = self.residual.clone();
-        self.solver.solve(&mut motion).map_err(|error| error.named(system, self.step, level))?;
-        self.effort.solves += 1;
-        if let Constraint::Level = constraint {
-            return Ok(Increment { motion, level: 0.0 });
-        }
-        let response = match (self.factored, &self.answer) {
-            (None, Some(answer)) => answer.clone(),
-            (None, None) => self.answer_by_factor(system, level)?,
-            (Some(_), _) => self.response(system, level)?,
-        };
-        let (missing, rate) = match constraint {
-            Constraint::Level => unreachable!("returned above"),
-            Constraint::Functional { weights, target } => {
-                (target - dot(weights, &increment.motion) - dot(weights, &motion), dot(weights, &response))
-            }
-            Constraint::Sphere { weights, load, radius } => {
-                let normal: Vec<f64> = increment.motion.iter().zip(*weights).map(|(q, w)| q * w).collect();
-                let excess =
-                    dot(&normal, &increment.motion) + load * increment.level.powi(2) - radius * radius;
-                (-0.5 * excess - dot(&normal, &motion), dot(&normal, &response) + load * increment.level)
-            }
-        };
-        let change = missing / rate;
-        if !change.is_finite() {
-            return Err(EquilibriumError::Uncontrolled { step: self.step, level, rate });
-        }
-        for (motion, response) in motion.iter_mut().zip(&response) {
-            *motion += change * response;
-        }
-        Ok(Increment { motion, level: change })
     }
 
     /// Norm of `external − internal` at the present state \[F\].
