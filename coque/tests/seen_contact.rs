@@ -238,11 +238,8 @@ fn a_plate_thrown_fast_is_deep_and_shortens_steps_and_a_slow_one_does_not() {
 #[test]
 fn a_ring_that_closes_is_not_in_itself() {
     let still = [("analysis", "{ static = { levels = 8 } }"), ("geometry.plate.particles", "[49, 5]")];
-    let ring = overridden(&text("ring.toml"), "ring.toml", &still)
-        .unwrap()
-        .build(1)
-        .unwrap()
-        .run(&mut coque::Silent);
+    let ring =
+        overridden(&text("ring.toml"), "ring.toml", &still).unwrap().build(1).unwrap().run(&mut Silent);
     assert_eq!(reported(&ring, WarningKind::TouchingUnseen), None);
 }
 

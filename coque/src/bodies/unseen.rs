@@ -10,7 +10,6 @@ use crate::scene::joints::joints;
 /// Pairs of bodies of a scene between which it names no contact, and shells that do not touch themselves.
 #[derive(Debug)]
 pub(crate) struct Unseen {
-    outlines: Vec<Outline>,
     pairs: Vec<Pair>,
     in_fluid: bool,
 }
@@ -51,14 +50,16 @@ impl Unseen {
             }
         }
         let in_fluid = scene.fluid().is_some();
-        (!pairs.is_empty()).then_some(Self { outlines, pairs, in_fluid })
+        (!pairs.is_empty()).then_some(Self { pairs, in_fluid })
     }
 
     /// What has come too near to what, at a moment in words; none where nothing has.
     pub fn look(&self, body: &dyn Body, when: &str) -> Option<String> {
         let Configuration { rest, present, .. } = body.configuration();
+        // Outlines are made for a look: no run holds them between two.
+        let outlines = body.outlines();
         let shown = |number: usize| {
-            let Outline { particles, cells, half, .. } = &self.outlines[number];
+            let Outline { particles, cells, half, .. } = &outlines[number];
             Bystander { cells, rest: &rest[particles.clone()], now: &present[particles.clone()], half: *half }
         };
         self.pairs.iter().find_map(|pair| {
@@ -67,11 +68,11 @@ impl Unseen {
                 true => shown(i).in_itself(),
                 false => shown(i).in_each_other(&shown(j), pair.joined),
             };
-            Some(self.said(pair, &found?, when))
+            Some(self.said(pair, &found?, when, &outlines))
         })
     }
 
-    fn said(&self, pair: &Pair, found: &TooNear, when: &str) -> String {
+    fn said(&self, pair: &Pair, found: &TooNear, when: &str, outlines: &[Outline]) -> String {
         let TooNear { places, distance, touching } = *found;
         let [here, there] = places.map(|x| format!("[{:.4}, {:.4}, {:.4}]", x.x, x.y, x.z));
         let how = if distance > 0.0 {
@@ -79,7 +80,7 @@ impl Unseen {
         } else {
             format!("one goes through the other at {here}")
         };
-        let name = |number: usize| self.outlines[number].name.as_deref();
+        let name = |number: usize| outlines[number].name.as_deref();
         let repair = "or end the run before";
         match pair.of.map(name) {
             [Some(a), Some(b)] if a != b => {
