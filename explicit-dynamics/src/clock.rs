@@ -27,7 +27,7 @@ pub struct Shortened {
 }
 
 impl Shortened {
-    fn take(&mut self, share: f64, time: f64) {
+    pub(crate) fn take(&mut self, share: f64, time: f64) {
         if self.steps == 0 || share < self.least {
             (self.least, self.time) = (share, time);
         }

@@ -4,6 +4,7 @@
 //! Neither knows what the other is made of.
 
 use crate::dynamics::Dynamics;
+use crate::several::Joinable;
 
 /// How the points of a wet surface belong together; it never changes once built.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -62,7 +63,7 @@ pub struct BoundaryLoad<'a> {
 }
 
 /// A structure that a fluid wets.
-pub trait Wetted: Dynamics {
+pub trait Wetted: Joinable {
     /// How its points belong together.
     fn boundary_layout(&self) -> &BoundaryLayout;
 
@@ -82,11 +83,6 @@ pub trait Wetted: Dynamics {
     fn boundary_velocities(&self, out: &mut Vec<[f64; 3]>) {
         out.clear();
         out.resize(self.boundary_layout().points, [0.0; 3]);
-    }
-
-    /// Particles that [`Dynamics::within_bounds`] may name: those of what comes behind are counted on from here.
-    fn particles(&self) -> usize {
-        0
     }
 }
 

@@ -6,7 +6,7 @@ use super::interaction::{Interaction, Joinable, Places};
 use crate::step::Work;
 
 /// An interaction with what it sees and exerts.
-pub(super) struct Acting {
+pub(crate) struct Acting {
     interaction: Box<dyn Interaction>,
     /// Particles of each system.
     particles: Vec<Vec<u32>>,

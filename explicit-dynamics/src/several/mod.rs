@@ -16,5 +16,6 @@ mod interaction;
 mod linearised;
 mod system;
 
+pub(crate) use acting::Acting;
 pub use interaction::{Interaction, Joinable, Places};
 pub use system::Several;

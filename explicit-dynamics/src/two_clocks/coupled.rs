@@ -1,13 +1,11 @@
 //! A structure at a clock of its own, between two instants of a fluid.
 
+use super::course::{Course, SLIVER};
 use crate::error::MarchError;
 use crate::interface::{BoundaryLoad, BoundaryState, Wetted};
 use crate::record::Balance;
 use crate::stable_step::StableStep;
-use crate::step::{Instant, Step, Work};
-
-/// Part of a step by which steps may be longer than the stable one, so that none is wasted on rounding.
-const SLIVER: f64 = 1e-6;
+use crate::step::{Step, Work};
 
 /// The clock of a structure.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,12 +18,14 @@ pub(super) struct OwnClock {
     pub next_estimate: u64,
     /// The last step \[T\]; zero before the first.
     pub last: f64,
-    /// Steps within the last one of the fluid, the most that any of its steps asked for.
+    /// Steps within the last one of the fluid, the most that any of its steps asked for; where one of them had to be shorter there were more.
     pub count: u64,
+    /// Span of all of them \[T\]; zero before the first.
+    pub whole: f64,
 }
 
 /// A structure with its clock, what the fluid receives of it, and its ledger.
-pub(super) struct Coupled<S: ?Sized> {
+pub(super) struct Coupled {
     pub clock: OwnClock,
     /// Mean velocities of its points over the last step of the fluid \[L/T\].
     pub velocities: Vec<[f64; 3]>,
@@ -42,10 +42,11 @@ pub(super) struct Coupled<S: ?Sized> {
     pub energy: Balance,
     /// The other half of what that kick did.
     behind: Work,
+    /// The step that it may take next \[T\].
+    pub most: f64,
     from: BoundaryState,
     to: BoundaryState,
     load: Vec<[f64; 3]>,
-    pub body: Box<S>,
 }
 
 impl OwnClock {
@@ -56,30 +57,10 @@ impl OwnClock {
     pub fn count(&self, step: &Step) -> u64 {
         ((step.drift() / self.stable - SLIVER).ceil() as u64).max(self.count).max(1)
     }
-
-    /// Step number `number` of `count`, which share a step of the fluid; the last one ends where that ends.
-    fn step(&self, whole: &Step, number: u64, count: u64) -> Step {
-        let at = |number: u64| {
-            if number == 0 {
-                return whole.from;
-            }
-            if number == count {
-                return whole.to;
-            }
-            let part = number as f64 / count as f64;
-            let between = |a: f64, b: f64| a + part * (b - a);
-            Instant {
-                time: between(whole.from.time, whole.to.time),
-                level: between(whole.from.level, whole.to.level),
-            }
-        };
-        let step = Step { from: at(number), to: at(number + 1), kick: 0.0, damping: whole.damping };
-        Step { kick: 0.5 * (self.last + step.drift()), ..step }
-    }
 }
 
-impl<S: Wetted + ?Sized> Coupled<S> {
-    pub fn new(body: Box<S>) -> Self {
+impl Coupled {
+    pub fn new<S: Wetted + ?Sized>(body: &S) -> Self {
         let mut velocities = Vec::new();
         body.boundary_velocities(&mut velocities);
         let mut to = BoundaryState::default();
@@ -94,9 +75,9 @@ impl<S: Wetted + ?Sized> Coupled<S> {
             pending: Work::default(),
             energy: Balance::default(),
             behind: Work::default(),
+            most: f64::INFINITY,
             from: BoundaryState::default(),
             to,
-            body,
         }
     }
 
@@ -105,16 +86,19 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         (&self.to, &self.velocities)
     }
 
-    /// Finds the stable step where it has lapsed.
+    /// Whether its stable step has lapsed.
+    pub fn lapsed(&self) -> bool {
+        self.clock.steps >= self.clock.next_estimate
+    }
+
+    /// Finds the stable step.
     ///
     /// # Errors
     /// [`MarchError::NoStableStep`].
-    pub fn estimate(&mut self, safety: f64) -> Result<(), MarchError> {
-        if self.clock.steps >= self.clock.next_estimate {
-            let StableStep { dt, holds } = self.body.stable_step(safety)?;
-            self.clock.stable = dt;
-            self.clock.next_estimate = self.clock.steps.saturating_add(holds);
-        }
+    pub fn estimate<S: Wetted + ?Sized>(&mut self, body: &mut S, safety: f64) -> Result<(), MarchError> {
+        let StableStep { dt, holds } = body.stable_step(safety)?;
+        self.clock.stable = dt;
+        self.clock.next_estimate = self.clock.steps.saturating_add(holds);
         Ok(())
     }
 
@@ -127,17 +111,22 @@ impl<S: Wetted + ?Sized> Coupled<S> {
     /// ```
     ///
     /// So its impulse over a run is that of the fluid, but for J.
-    pub fn load(&mut self, forces: &[[f64; 3]], impedance: f64, centred: bool) {
-        let OwnClock { last, count, .. } = self.clock;
-        let whole = last * count as f64;
+    pub fn load<S: Wetted + ?Sized>(
+        &mut self,
+        body: &mut S,
+        forces: &[[f64; 3]],
+        impedance: f64,
+        centred: bool,
+    ) {
+        let OwnClock { last, count, whole, .. } = self.clock;
         let (lead, rate) =
             if centred && whole > 0.0 { (0.5 * (whole - last), 1.0 / whole) } else { (0.0, 0.0) };
         for ((load, force), ahead) in self.load.iter_mut().zip(forces).zip(&self.ahead) {
             *load = std::array::from_fn(|k| force[k] + rate * (lead * force[k] - ahead[k]));
         }
         // One step has the velocity that the fluid saw.
-        let impedance = if count == 1 { 0.0 } else { impedance };
-        let Self { load, seen, body, .. } = self;
+        let impedance = if count == 1 && whole == last { 0.0 } else { impedance };
+        let Self { load, seen, .. } = self;
         body.apply_load(&BoundaryLoad { forces: load, found: forces, seen, impedance });
     }
 
@@ -159,20 +148,18 @@ impl<S: Wetted + ?Sized> Coupled<S> {
     }
 
     /// Counts the impulses of a kick of its own that is about to come.
-    fn push(&mut self, span: f64) {
+    fn push<S: Wetted + ?Sized>(&mut self, body: &S, span: f64) {
         push(&mut self.ahead, &self.load, span);
-        self.body.impedance_impulses(span, &mut self.resisted);
+        body.impedance_impulses(span, &mut self.resisted);
     }
 
     /// The kick of its first step within one of the fluid; returns what has been done since the last of these. A kick
-    /// of no span shows the energies, and counts what supports do at once.
-    pub fn kick(&mut self, whole: &Step) -> Work {
-        let step = self.clock.step(whole, 0, self.clock.count(whole));
-        let shown = whole.kick == 0.0;
+    /// of no span, before a `shown` instant, shows the energies, and counts what supports do at once.
+    pub fn kick<S: Wetted + ?Sized>(&mut self, body: &mut S, step: &Step, shown: bool) -> Work {
         if !shown {
-            self.push(step.kick);
+            self.push(body, step.kick);
         }
-        let work = self.body.kick(&Step { kick: if shown { 0.0 } else { step.kick }, ..step });
+        let work = body.kick(&Step { kick: if shown { 0.0 } else { step.kick }, ..*step });
         self.energy.kinetic = work.kinetic;
         if shown {
             self.energy.external += work.external;
@@ -186,48 +173,52 @@ impl<S: Wetted + ?Sized> Coupled<S> {
         Work { change: work.change, resisted: work.resisted, ..self.settle(work.kinetic) }
     }
 
-    /// The rest of its steps within one of the fluid, behind the kick of the first; returns how many there are in all.
-    pub fn drift(&mut self, whole: &Step) -> u64 {
-        self.body.boundary(&mut self.from);
-        let count = self.clock.count(whole);
-        let first = self.clock.step(whole, 0, count);
-        self.body.drift(&first);
+    /// Takes note of where its boundary stands before a step of the fluid.
+    pub fn depart<S: Wetted + ?Sized>(&mut self, body: &S) {
+        body.boundary(&mut self.from);
+    }
+
+    /// The drift behind [`Coupled::kick`].
+    pub fn drift<S: Wetted + ?Sized>(&mut self, body: &mut S, step: &Step) {
+        body.drift(step);
         let Work { external, dissipated, .. } = std::mem::take(&mut self.behind);
         self.energy.external += external;
         self.energy.dissipated += dissipated;
-        self.done(&first);
-        self.advance_from(1, whole, count)
+        self.done(step);
     }
 
-    /// All of its steps within one of the fluid; returns the kinetic energy at the start, and how many there were.
-    pub fn advance(&mut self, whole: &Step) -> (f64, u64) {
-        self.body.boundary(&mut self.from);
-        let count = self.clock.count(whole);
-        let first = self.clock.step(whole, 0, count);
-        self.push(first.kick);
-        let work = self.body.advance(&first);
-        self.energy.kinetic = work.kinetic;
-        self.book(work);
-        self.done(&first);
-        (work.kinetic, self.advance_from(1, whole, count))
+    /// A step of its own; `first` of one of the fluid, at whose start energies are counted.
+    pub fn advance<S: Wetted + ?Sized>(&mut self, body: &mut S, step: &Step, first: bool) {
+        self.push(body, step.kick);
+        let work = body.advance(step);
+        self.kicked_off(work, first);
+        self.done(step);
     }
 
-    fn advance_from(&mut self, number: u64, whole: &Step, count: u64) -> u64 {
-        for number in number..count {
-            let step = self.clock.step(whole, number, count);
-            self.push(step.kick);
-            let work = self.body.advance(&step);
-            self.book(work);
-            self.done(&step);
+    /// The kick of such a step, behind which [`Coupled::drift`] comes; its forces are evaluated.
+    pub fn kick_off<S: Wetted + ?Sized>(&mut self, body: &mut S, step: &Step, first: bool) {
+        self.push(body, step.kick);
+        let work = body.kick(step);
+        self.kicked_off(work, first);
+    }
+
+    fn kicked_off(&mut self, work: Work, first: bool) {
+        if first {
+            self.energy.kinetic = work.kinetic;
         }
-        self.clock.count = count;
-        self.body.boundary(&mut self.to);
+        self.book(work);
+    }
+
+    /// Ends a step of the fluid, after these of its own.
+    pub fn arrive<S: Wetted + ?Sized>(&mut self, body: &S, whole: &Step, course: &Course) {
+        self.clock.count = course.planned();
+        self.clock.whole = course.span(self.clock.last);
+        body.boundary(&mut self.to);
         let rate = 1.0 / whole.drift();
         let places = self.from.points.iter().zip(&self.to.points);
         for (velocity, (from, to)) in self.velocities.iter_mut().zip(places) {
             *velocity = std::array::from_fn(|k| rate * (to[k] - from[k]));
         }
-        count
     }
 
     /// What was done since the ledger was last settled, with the kinetic energy of an instant.
@@ -244,9 +235,9 @@ impl<S: Wetted + ?Sized> Coupled<S> {
 
     /// Where its points would be after `dt` with the velocities of the step before, with which the fluid sees it from
     /// now on.
-    pub fn expected(&mut self, dt: f64) -> (&BoundaryState, &[[f64; 3]]) {
+    pub fn expected<S: Wetted + ?Sized>(&mut self, body: &S, dt: f64) -> (&BoundaryState, &[[f64; 3]]) {
         self.seen.copy_from_slice(&self.velocities);
-        self.body.boundary(&mut self.to);
+        body.boundary(&mut self.to);
         for (point, velocity) in self.to.points.iter_mut().zip(&self.seen) {
             (0..3).for_each(|k| point[k] += dt * velocity[k]);
         }

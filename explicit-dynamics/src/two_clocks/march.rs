@@ -1,11 +1,14 @@
 //! Two clocks as one system: loads to the structures, their steps, their new places and velocities to the fluid.
 
+use std::ops::Range;
+
 use crate::dynamics::{Bounds, Dynamics};
 use crate::error::{MarchError, OutOfBounds, OutOfRange};
 use crate::interface::{BoundaryDriven, Wetted};
+use crate::several::Acting;
 use crate::stable_step::StableStep;
 use crate::step::{Instant, Step, Work};
-use crate::two_clocks::{Order, TwoClocks};
+use crate::two_clocks::{Coupled, Course, Order, OwnClock, TwoClocks};
 
 /// Part of the way that a boundary point may go in one step which the speed of the last step is allowed to ask for.
 const ADVANCE: f64 = 0.25;
@@ -14,26 +17,33 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
     fn evaluate(&mut self, at: Instant) -> f64 {
         let stored = self.fluid.evaluate(at);
         self.hand_loads();
-        self.structures.iter_mut().fold(stored, |sum, structure| {
-            structure.energy.internal = structure.body.evaluate(at);
+        let stored = stored + self.act();
+        self.each().fold(stored, |sum, (structure, body)| {
+            structure.energy.internal = body.evaluate(at);
             sum + structure.energy.internal
         })
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        let work = self.kick_fluid(step);
-        self.structures.iter_mut().fold(work, |sum, structure| add(sum, structure.kick(step)))
+        let shown = step.kick == 0.0;
+        let mut work = self.kick_fluid(step);
+        self.acting.iter_mut().for_each(|acting| acting.before(&self.bodies));
+        for group in self.groups() {
+            let own = self.course(&group, step).step(self.structures[group.start].clock.last);
+            for k in group {
+                work = add(work, self.structures[k].kick(&mut *self.bodies[k], &own, shown));
+            }
+            let span = if shown { 0.0 } else { own.kick };
+            self.acting.iter_mut().for_each(|acting| acting.after(&self.bodies, span, &mut work));
+        }
+        add(work, std::mem::take(&mut self.between))
     }
 
     fn drift(&mut self, step: &Step) {
         if self.order == Order::FluidFirst {
             self.drift_fluid_first(step);
         }
-        for structure in &mut self.structures {
-            let count = structure.drift(step);
-            self.counts.substeps += count;
-            self.counts.most = self.counts.most.max(count);
-        }
+        self.groups().for_each(|group| self.march(group, step, true));
         self.hand_back();
         if self.order == Order::StructureFirst {
             self.drift_fluid_behind(step);
@@ -47,38 +57,45 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
         if self.order == Order::FluidFirst {
             self.drift_fluid_first(step);
         }
-        for structure in &mut self.structures {
-            let (kinetic, count) = structure.advance(step);
-            work = add(work, structure.settle(kinetic));
-            self.counts.substeps += count;
-            self.counts.most = self.counts.most.max(count);
+        for group in self.groups() {
+            self.march(group.clone(), step, false);
+            for structure in &mut self.structures[group] {
+                work = add(work, structure.settle(structure.energy.kinetic));
+            }
         }
         self.hand_back();
         if self.order == Order::StructureFirst {
             self.drift_fluid_behind(step);
         }
-        work
+        add(work, std::mem::take(&mut self.between))
     }
 
     /// The step of the fluid, at most a quarter of the way that a boundary point may go, over its speed in the last
     /// step; structures have steps of their own.
     fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
         let StableStep { dt, .. } = self.fluid.stable_step(safety)?;
-        let mut speed = 0.0_f64;
-        for structure in &mut self.structures {
-            structure.estimate(safety)?;
-            speed = speed.max(structure.fastest().1);
-        }
+        self.estimate(safety)?;
+        let speed = self.structures.iter().map(|structure| structure.fastest().1).fold(0.0, f64::max);
         let bound = ADVANCE * self.fluid.greatest_displacement() / speed;
         self.counts.shortened += u64::from(bound < dt);
         Ok(StableStep { dt: dt.min(bound), holds: 1 })
     }
 
+    /// That of the fluid: what shortens the steps of structures divides it into more of them.
+    fn shortened(&mut self, stable: f64, safety: f64) -> f64 {
+        self.safety = safety;
+        self.groups().for_each(|group| self.ask(&group));
+        stable
+    }
+
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
         self.fluid.within_bounds(bounds)?;
+        if bounds == Bounds::Configuration {
+            self.acting.iter().try_for_each(|acting| acting.interaction().within_bounds())?;
+        }
         let mut before = self.fluid.particles();
-        for (number, structure) in self.structures.iter().enumerate() {
-            structure.body.within_bounds(bounds).map_err(|found| match found {
+        for (number, body) in self.bodies.iter().enumerate() {
+            body.within_bounds(bounds).map_err(|found| match found {
                 OutOfBounds::Speed { particle, speed, bound } => {
                     OutOfBounds::Speed { particle: before + particle, speed, bound }
                 }
@@ -87,15 +104,15 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
                     OutOfRange { place, ..found }.into()
                 }
             })?;
-            before += structure.body.particles();
+            before += body.particles();
         }
         Ok(())
     }
 
     fn stop(&mut self) {
         self.fluid.stop();
-        for structure in &mut self.structures {
-            structure.body.stop();
+        for (structure, body) in self.each() {
+            body.stop();
             structure.velocities.fill([0.0; 3]);
             structure.seen.fill([0.0; 3]);
         }
@@ -103,11 +120,121 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
 }
 
 impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
+    /// Structures that take the same steps: each its own, or all where some do anything to each other.
+    fn groups(&self) -> impl Iterator<Item = Range<usize>> + use<F, S> {
+        let count = self.structures.len();
+        let size = if self.acting.is_empty() { 1 } else { count.max(1) };
+        (0..count).step_by(size).map(move |first| first..first + size)
+    }
+
+    /// Renews stable steps that have lapsed, those of a group together: `λ_max(A + B) ≤ λ_max(A) + λ_max(B)`.
+    fn estimate(&mut self, safety: f64) -> Result<(), MarchError> {
+        for group in self.groups() {
+            if self.structures[group.clone()].iter().all(|structure| !structure.lapsed()) {
+                continue;
+            }
+            let mut least = f64::INFINITY;
+            for k in group.clone() {
+                self.structures[k].estimate(&mut *self.bodies[k], safety)?;
+                least = least.min(self.structures[k].clock.stable);
+            }
+            if self.acting.is_empty() {
+                continue;
+            }
+            let between: f64 = self.acting.iter().map(|acting| acting.fastest(&self.bodies)).sum();
+            let together = 2.0 * safety / ((2.0 * safety / least).powi(2) + between).sqrt();
+            self.structures[group].iter_mut().for_each(|structure| structure.clock.stable = together);
+        }
+        Ok(())
+    }
+
+    /// Asks how long the next step of a group may be.
+    fn ask(&mut self, group: &Range<usize>) {
+        let stable = self.structures[group.start].clock.stable;
+        let bodies = self.bodies[group.clone()].iter_mut();
+        let own = bodies.map(|body| body.shortened(stable, self.safety)).fold(stable, f64::min);
+        let most = self
+            .acting
+            .iter_mut()
+            .fold(own, |least, acting| least.min(acting.shortened(&self.bodies, stable, self.safety)));
+        self.structures[group.clone()].iter_mut().for_each(|structure| structure.most = most);
+    }
+
+    /// The steps of a group within one of the fluid, as far as is known at its start.
+    fn course(&self, group: &Range<usize>, whole: &Step) -> Course {
+        let own = &self.structures[group.clone()];
+        let count = own.iter().map(|structure| structure.clock.count(whole)).max().unwrap_or(1);
+        let mut course = Course::new(whole, count);
+        course.shorten(own[0].most, own[0].clock.stable);
+        course
+    }
+
+    /// All steps of a group within one of the fluid; the first kick may be done.
+    fn march(&mut self, group: Range<usize>, whole: &Step, kicked: bool) {
+        for k in group.clone() {
+            self.structures[k].depart(&*self.bodies[k]);
+        }
+        let mut course = self.course(&group, whole);
+        loop {
+            let first = course.done() == 0;
+            let OwnClock { last, stable, .. } = self.structures[group.start].clock;
+            let step = course.step(last);
+            let most = self.structures[group.start].most;
+            if most < stable {
+                self.slowed.take(most / stable, step.from.time);
+            }
+            self.one_step(&group, &step, first, first && kicked);
+            if !course.next() {
+                break;
+            }
+            self.ask(&group);
+            course.shorten(self.structures[group.start].most, stable);
+        }
+        for k in group {
+            self.structures[k].arrive(&*self.bodies[k], whole, &course);
+            self.counts.substeps += course.done();
+            self.counts.most = self.counts.most.max(course.done());
+        }
+    }
+
+    /// One step of a group, the first of one of the fluid or not; its kick may be done.
+    fn one_step(&mut self, group: &Range<usize>, step: &Step, first: bool, kicked: bool) {
+        if self.acting.is_empty() && !kicked {
+            return group.clone().for_each(|k| self.structures[k].advance(&mut *self.bodies[k], step, first));
+        }
+        if !kicked {
+            // The work of what they do to each other takes the velocities behind the kick, which a drift may carry on.
+            self.act();
+            self.acting.iter_mut().for_each(|acting| acting.before(&self.bodies));
+            for k in group.clone() {
+                self.bodies[k].evaluate(step.from);
+                self.structures[k].kick_off(&mut *self.bodies[k], step, first);
+            }
+            let Self { acting, bodies, between, .. } = self;
+            acting.iter_mut().for_each(|acting| acting.after(bodies, step.kick, between));
+        }
+        for k in group.clone() {
+            self.structures[k].drift(&mut *self.bodies[k], step);
+        }
+        self.acting.iter_mut().for_each(Acting::moved);
+        self.acting.iter_mut().for_each(Acting::commit);
+    }
+
+    /// Lets structures act on each other at their present places; the energy of that \[F L\].
+    fn act(&mut self) -> f64 {
+        if self.acting.is_empty() {
+            return 0.0;
+        }
+        self.bodies.iter_mut().for_each(|body| body.release());
+        self.acting.iter_mut().map(|acting| acting.act(&mut self.bodies)).sum()
+    }
+
     /// The forces that the fluid has just found, with the velocities with which it saw the points.
     fn hand_loads(&mut self) {
         let impedance = if self.impedance { self.fluid.impedance() } else { 0.0 };
-        for (number, structure) in self.structures.iter_mut().enumerate() {
-            structure.load(self.fluid.boundary_forces(number), impedance, self.centred);
+        let Self { fluid, structures, bodies, centred, .. } = self;
+        for (number, (structure, body)) in structures.iter_mut().zip(bodies).enumerate() {
+            structure.load(&mut **body, fluid.boundary_forces(number), impedance, *centred);
         }
     }
 
@@ -140,11 +267,17 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
 
     /// The fluid goes with the old velocities of the structures.
     fn drift_fluid_first(&mut self, step: &Step) {
-        for (number, structure) in self.structures.iter_mut().enumerate() {
-            let (end, velocities) = structure.expected(step.drift());
-            self.fluid.set_boundary(number, end, velocities);
+        let Self { fluid, structures, bodies, .. } = self;
+        for (number, (structure, body)) in structures.iter_mut().zip(bodies).enumerate() {
+            let (end, velocities) = structure.expected(&**body, step.drift());
+            fluid.set_boundary(number, end, velocities);
         }
         self.fluid.drift(&undamped(step));
+    }
+
+    /// Each structure with its body.
+    fn each(&mut self) -> impl Iterator<Item = (&mut Coupled, &mut S)> {
+        self.structures.iter_mut().zip(self.bodies.iter_mut().map(|body| &mut **body))
     }
 }
 

@@ -1,20 +1,33 @@
 //! A fluid and the structures in it, each at a clock of its own; what changes beside them, as plain numbers.
 
+mod between;
 mod coupled;
+mod course;
 mod march;
 
 use coupled::{Coupled, OwnClock};
+use course::Course;
 
+use crate::clock::Shortened;
 use crate::interface::{BoundaryDriven, Wetted};
 use crate::record::Balance;
+use crate::several::Acting;
 use crate::step::Work;
 
 /// A fluid and the structures in it, marched as one system: a step of the fluid is one or more steps of each structure.
 ///
-/// Numbers of particles run through the fluid, then through the structures in their order.
+/// Numbers of particles run through the fluid, then through the structures in their order. Structures that do something to each other
+/// ([`TwoClocks::with_interactions`]) take the same steps, all of them.
 pub struct TwoClocks<F, S: ?Sized> {
     fluid: F,
-    structures: Vec<Coupled<S>>,
+    structures: Vec<Coupled>,
+    bodies: Vec<Box<S>>,
+    acting: Vec<Acting>,
+    /// What structures did to each other since it was last counted \[F L\].
+    between: Work,
+    /// Fraction of the stable steps that is used.
+    safety: f64,
+    slowed: Shortened,
     /// Who moves first in a step.
     pub order: Order,
     /// Whether the load on a structure changes while its wet faces move within a step, by the pressure of a plane wave.
@@ -55,8 +68,8 @@ pub struct Counts {
 
 impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     /// Puts structures into a fluid that was built with their boundaries, in the same order.
-    pub fn new(mut fluid: F, structures: Vec<Box<S>>) -> Self {
-        let structures: Vec<_> = structures.into_iter().map(Coupled::new).collect();
+    pub fn new(mut fluid: F, bodies: Vec<Box<S>>) -> Self {
+        let structures: Vec<_> = bodies.iter().map(|body| Coupled::new(&**body)).collect();
         for (number, structure) in structures.iter().enumerate() {
             let (place, velocities) = structure.start();
             fluid.set_boundary(number, place, velocities);
@@ -64,6 +77,11 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
         Self {
             fluid,
             structures,
+            bodies,
+            acting: Vec::new(),
+            between: Work::default(),
+            safety: 1.0,
+            slowed: Shortened::default(),
             order: Order::default(),
             impedance: true,
             centred: true,
@@ -83,12 +101,12 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
 
     /// The structures, in their order.
     pub fn structures(&self) -> impl ExactSizeIterator<Item = &S> {
-        self.structures.iter().map(|structure| &*structure.body)
+        self.bodies.iter().map(|body| &**body)
     }
 
     /// The structures, to be changed.
     pub fn structures_mut(&mut self) -> impl ExactSizeIterator<Item = &mut S> {
-        self.structures.iter_mut().map(|structure| &mut *structure.body)
+        self.bodies.iter_mut().map(|body| &mut **body)
     }
 
     /// Energies of a structure \[F L\], its loads those of the fluid among them: at a record all at its instant; else up to the
@@ -104,6 +122,11 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
         self.structures.get(structure).map(Coupled::impulse_ahead)
     }
 
+    /// Steps of structures that were made shorter than their stable ones, because something came.
+    pub fn slowed(&self) -> Shortened {
+        self.slowed
+    }
+
     /// What the clocks did so far.
     pub fn counts(&self) -> Counts {
         self.counts
@@ -111,7 +134,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
 }
 
 /// Numbers of a structure beside its velocities.
-const LEDGER: usize = 11;
+const LEDGER: usize = 12;
 
 impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     /// All that changes here while it marches, beside the states of the fluid and of the structures: counts, clocks,
@@ -119,11 +142,13 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     pub fn state(&self) -> Vec<f64> {
         let Counts { substeps, most, shortened } = self.counts;
         let mut numbers = vec![substeps as f64, most as f64, shortened as f64];
+        let Shortened { steps, least, time } = self.slowed;
+        numbers.extend([steps as f64, least, time, self.between.external, self.between.dissipated]);
         for structure in &self.structures {
-            let OwnClock { stable, steps, next_estimate, last, count } = structure.clock;
+            let OwnClock { stable, steps, next_estimate, last, count, whole } = structure.clock;
             let Work { external: owed, dissipated: lost, .. } = structure.pending;
             let Balance { kinetic, internal, external, dissipated } = structure.energy;
-            let clock = [stable, steps as f64, next_estimate as f64, last, count as f64];
+            let clock = [stable, steps as f64, next_estimate as f64, last, count as f64, whole];
             let ledger = [owed, lost, kinetic, internal, external, dissipated];
             numbers.extend(clock.into_iter().chain(ledger));
             let Coupled { velocities, seen, ahead, .. } = structure;
@@ -135,20 +160,38 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     /// Takes up what [`TwoClocks::state`] gave, to the same bits; false, and nothing changed, if it is that of other
     /// structures.
     pub fn set_state(&mut self, numbers: &[f64]) -> bool {
-        let Some(([substeps, most, shortened], mut rest)) = numbers.split_first_chunk() else { return false };
-        let length = |structure: &Coupled<S>| LEDGER + 9 * structure.velocities.len();
+        let Some(([substeps, most, shortened, slowed @ ..], mut rest)) = numbers.split_first_chunk::<8>()
+        else {
+            return false;
+        };
+        let length = |structure: &Coupled| LEDGER + 9 * structure.velocities.len();
         if rest.len() != self.structures.iter().map(length).sum::<usize>() {
             return false;
         }
         let counts = [substeps, most, shortened].map(|&number| number as u64);
         self.counts = Counts { substeps: counts[0], most: counts[1], shortened: counts[2] };
+        let [steps, least, time, external, dissipated] = *slowed;
+        self.slowed = Shortened { steps: steps as u64, least, time };
+        self.between = Work { external, dissipated, ..Work::default() };
         for structure in &mut self.structures {
             let points = structure.velocities.len();
             let Some((ledger, behind)) = rest.split_first_chunk::<LEDGER>() else { return false };
-            let [stable, steps, next, last, count, owed, lost, kinetic, internal, external, dissipated] =
-                *ledger;
+            let [
+                stable,
+                steps,
+                next,
+                last,
+                count,
+                whole,
+                owed,
+                lost,
+                kinetic,
+                internal,
+                external,
+                dissipated,
+            ] = *ledger;
             let [steps, next_estimate, count] = [steps, next, count].map(|number| number as u64);
-            structure.clock = OwnClock { stable, steps, next_estimate, last, count };
+            structure.clock = OwnClock { stable, steps, next_estimate, last, count, whole };
             structure.pending = Work { external: owed, dissipated: lost, ..Work::default() };
             structure.energy = Balance { kinetic, internal, external, dissipated };
             let (own, behind) = behind.split_at(9 * points);

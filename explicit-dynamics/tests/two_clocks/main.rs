@@ -1,6 +1,8 @@
 //! A gas between springs: the coupling of two clocks, without particles.
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
+mod between;
+mod joined;
 mod marching;
 mod model;
 

@@ -156,6 +156,8 @@ pub struct Spring {
     pub v: f64,
     /// Force and seen velocity of the last load, and its impedance.
     load: [f64; 3],
+    /// Force that others exert.
+    pub exerted: f64,
     external: f64,
     force: f64,
     pub time: f64,
@@ -172,6 +174,7 @@ impl Spring {
             x: 0.0,
             v: 0.0,
             load: [0.0; 3],
+            exerted: 0.0,
             external: 0.0,
             force: 0.0,
             time: 0.0,
@@ -188,7 +191,7 @@ impl Spring {
 impl Dynamics for Spring {
     fn evaluate(&mut self, _: Instant) -> f64 {
         let [force, seen, impedance] = self.load;
-        self.external = force - impedance * (self.v - seen);
+        self.external = force - impedance * (self.v - seen) + self.exerted;
         self.force = self.external - self.stiffness * self.x;
         0.5 * self.stiffness * self.x * self.x
     }
@@ -238,8 +241,5 @@ impl Wetted for Spring {
     fn boundary_velocities(&self, out: &mut Vec<[f64; 3]>) {
         out.clear();
         out.push([self.v, 0.0, 0.0]);
-    }
-    fn particles(&self) -> usize {
-        1
     }
 }

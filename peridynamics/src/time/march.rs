@@ -198,8 +198,4 @@ impl Wetted for Solid {
             out.extend(self.rates.iter().map(|rate| [rate[0], rate[1], rate[2]]));
         }
     }
-
-    fn particles(&self) -> usize {
-        self.len()
-    }
 }

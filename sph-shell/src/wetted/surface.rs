@@ -266,8 +266,4 @@ impl Wetted for Shell {
             None => out.clear(),
         }
     }
-
-    fn particles(&self) -> usize {
-        self.len()
-    }
 }
