@@ -36,6 +36,13 @@ pub enum ToolShape {
         /// Its radius \[L\].
         radius: f64,
     },
+    /// A box along the axes of space, which may be without end along some.
+    Block {
+        /// Its least coordinates \[L\].
+        min: Vec3,
+        /// Its greatest coordinates \[L\].
+        max: Vec3,
+    },
 }
 
 /// Where a point is to a tool.
@@ -67,6 +74,9 @@ pub enum ToolError {
     /// A place that is not finite.
     #[error("a tool stands at a place that is not finite")]
     Place,
+    /// A box without room inside.
+    #[error("a block reaches from {0} to {1} along an axis; its greatest coordinates have to be above the least ones")]
+    Ends(f64, f64),
     /// A normal or an axis without a direction.
     #[error("a tool has a normal or an axis of length zero; name a direction")]
     Direction,
@@ -76,12 +86,13 @@ impl ToolShape {
     /// The same with directions of length one.
     ///
     /// # Errors
-    /// [`ToolError`] for radii that are not positive, places that are not finite, directions of length zero.
+    /// [`ToolError`] for radii that are not positive, places that are not finite, boxes without room inside, directions of length zero.
     pub fn checked(self) -> Result<Self, ToolError> {
         let places = match &self {
             Self::Plane { point, .. } | Self::Cylinder { point, .. } => vec![*point],
             Self::Sphere { centre, .. } => vec![*centre],
             Self::Capsule { ends, .. } => ends.to_vec(),
+            Self::Block { .. } => Vec::new(),
         };
         if places.iter().any(|place| !place.iter().all(|x| x.is_finite())) {
             return Err(ToolError::Place);
@@ -104,26 +115,35 @@ impl ToolShape {
                 Self::Cylinder { point, axis: unit(axis)?, radius: positive(radius)? }
             }
             Self::Capsule { ends, radius } => Self::Capsule { ends, radius: positive(radius)? },
+            Self::Block { min, max } => {
+                let narrow = (0..3).find(|&k| max[k].partial_cmp(&min[k]) != Some(std::cmp::Ordering::Greater));
+                narrow.map_or(Ok(self), |k| Err(ToolError::Ends(min[k], max[k])))?
+            }
         })
     }
 
-    /// A point of the axis about which a checked tool may turn, and its direction; zero for a sphere, and for a capsule that is one.
+    /// A point of the axis about which a checked tool may turn, and its direction; zero for a sphere, for a capsule that is one, and for a
+    /// block.
     pub fn axis(&self) -> [Vec3; 2] {
         match *self {
             Self::Plane { point, normal } => [point, normal],
             Self::Sphere { centre, .. } => [centre, Vec3::zeros()],
             Self::Cylinder { point, axis, .. } => [point, axis],
             Self::Capsule { ends: [a, b], .. } => [a, (b - a).try_normalize(0.0).unwrap_or_default()],
+            Self::Block { .. } => [Vec3::zeros(); 2],
         }
     }
 
     /// Where a point is to a checked tool that has been moved by a translation.
     ///
-    /// On the middle of a sphere or the axis of a cylinder, where there is no normal, it is an arbitrary one.
+    /// On the middle of a sphere or the axis of a cylinder, where there is no normal, it is an arbitrary one. Inside a block the nearest
+    /// side counts; outside its edges and corners are round.
     pub fn gap(&self, point: &Vec3, moved: &Vec3) -> Gap {
         let Face { distance, normal } = self.face(point, moved);
         let curvature = match *self {
             Self::Plane { .. } => Matrix3::zeros(),
+            // Within a side the normal stays, inside the block it is that of a side.
+            Self::Block { .. } if distance <= 0.0 => Matrix3::zeros(),
             _ => match self.arm(&(point - moved)) {
                 Arm { from, space } if from.norm() > 0.0 => {
                     (space.projection() - normal * normal.transpose()) / from.norm()
@@ -144,6 +164,11 @@ impl ToolShape {
                 let r = from.norm();
                 let normal = if r > 0.0 { from / r } else { space.projection() * Vec3::new(0.48, 0.6, 0.64) };
                 Face { distance: r - radius, normal }
+            }
+            Self::Block { min, max } => {
+                let from = self.arm(&x).from;
+                let distance = from.norm();
+                if distance > 0.0 { Face { distance, normal: from / distance } } else { side(&x, &min, &max) }
             }
         }
     }
@@ -176,10 +201,13 @@ impl ToolShape {
                 });
                 square.sqrt() - radius
             }
+            Self::Block { .. } => {
+                points.fold(f64::INFINITY, |least, x| lesser(least, self.face(&x, moved).distance))
+            }
         }
     }
 
-    /// From the centre or the axis of a round tool to a point in its frame.
+    /// From the centre or the axis of a round tool, or from the nearest place of a block, to a point in its frame.
     fn arm(&self, x: &Vec3) -> Arm {
         match *self {
             Self::Plane { point, .. } => Arm { from: x - point, space: Space::All },
@@ -198,8 +226,21 @@ impl ToolShape {
                     Arm { from: x - if part < 0.0 { a } else { b }, space: Space::All }
                 }
             }
+            Self::Block { min, max } => {
+                let from = x - x.sup(&min).inf(&max);
+                Arm { from, space: Space::Axes(from.map(|along| along != 0.0).into()) }
+            }
         }
     }
+}
+
+/// The side of a block that is nearest to a point inside.
+fn side(x: &Vec3, min: &Vec3, max: &Vec3) -> Face {
+    let sides = (0..3).flat_map(|k| [(x[k] - max[k], Vec3::ith(k, 1.0)), (min[k] - x[k], Vec3::ith(k, -1.0))]);
+    let inner = |best: Face, (distance, normal)| {
+        if distance > best.distance { Face { distance, normal } } else { best }
+    };
+    sides.fold(Face { distance: f64::NEG_INFINITY, normal: Vec3::z() }, inner)
 }
 
 /// The way from the centre or the axis of a round tool to a point, and the space in which it lies.
@@ -208,9 +249,10 @@ struct Arm {
     space: Space,
 }
 
-/// All of space, or what of it lies across an axis, whose length has a square.
+/// All of space, some of its axes, or what of it lies across an axis, whose length has a square.
 enum Space {
     All,
+    Axes([bool; 3]),
     Across { axis: Vec3, square: f64 },
 }
 
@@ -219,6 +261,7 @@ impl Space {
     fn projection(&self) -> Matrix3<f64> {
         match *self {
             Self::All => Matrix3::identity(),
+            Self::Axes(own) => Matrix3::from_diagonal(&Vec3::from(own.map(|own| if own { 1.0 } else { 0.0 }))),
             Self::Across { axis, square } => Matrix3::identity() - axis * axis.transpose() / square,
         }
     }
@@ -233,13 +276,14 @@ fn lesser(a: f64, b: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn tools() -> [ToolShape; 4] {
+    fn tools() -> [ToolShape; 5] {
         let (a, b) = (Vec3::new(0.1, -0.2, 0.3), Vec3::new(0.7, 0.4, -0.1));
         [
             ToolShape::Plane { point: a, normal: b },
             ToolShape::Sphere { centre: a, radius: 0.4 },
             ToolShape::Cylinder { point: a, axis: b, radius: 0.3 },
             ToolShape::Capsule { ends: [a, b], radius: 0.2 },
+            ToolShape::Block { min: Vec3::new(-0.3, -0.2, f64::NEG_INFINITY), max: Vec3::new(0.4, 0.25, 0.5) },
         ]
         .map(|tool| tool.checked().unwrap())
     }
@@ -293,6 +337,13 @@ mod tests {
         );
         let capsule = at(ToolShape::Capsule { ends: [Vec3::zeros(), Vec3::z() * 3.0], radius: 1.0 });
         assert_eq!(capsule.distance, 1.0);
+        let block = ToolShape::Block { min: Vec3::zeros(), max: Vec3::new(2.0, 2.0, 1.0) };
+        let from = |x: [f64; 3]| block.checked().unwrap().gap(&x.into(), &Vec3::x());
+        assert_eq!((at(block).distance, at(block).normal), (4.0, Vec3::z()));
+        assert_eq!((from([2.0, 0.1, 1.5]).distance, from([2.0, 0.1, 1.5]).curvature), (0.5, Matrix3::zeros()));
+        // Over an edge 3 and 4 away, and inside, nearest to the side y = 0.
+        assert_eq!((from([6.0, 1.0, 5.0]).distance, from([6.0, 1.0, 5.0]).curvature[(1, 1)]), (5.0, 0.0));
+        assert_eq!((from([2.0, 0.1, 0.5]).distance, from([2.0, 0.1, 0.5]).normal), (-0.1, -Vec3::y()));
     }
 
     #[test]
@@ -304,5 +355,7 @@ mod tests {
         assert_eq!(plane(Vec3::zeros()), Err(ToolError::Direction));
         let lost = ToolShape::Sphere { centre: Vec3::new(f64::NAN, 0.0, 0.0), radius: 1.0 }.checked();
         assert_eq!(lost, Err(ToolError::Place));
+        let flat = ToolShape::Block { min: Vec3::zeros(), max: Vec3::new(1.0, 0.0, 1.0) };
+        assert_eq!(flat.checked(), Err(ToolError::Ends(0.0, 0.0)));
     }
 }

@@ -83,7 +83,10 @@ fn pairs_that_make_no_sense_are_refused() {
     };
     for (contact, says) in [
         ("[{ between = [\"thrown\", \"wall\"] }]", "a shell, a solid or a rigid body of the scene"),
-        ("[{ between = [\"thrown\", \"thrown\"] }]", "two bodies"),
+        (
+            "[{ between = [\"thrown\", \"thrown\"] }, { between = [\"thrown\", \"thrown\"] }]",
+            "named once: contact[0]",
+        ),
         (
             "[{ between = [\"thrown\", \"target\"] }, { between = [\"target\", \"thrown\"] }]",
             "named once: contact[0]",

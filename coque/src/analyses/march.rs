@@ -134,7 +134,9 @@ impl Marching {
         warning_balance(body, &mut run.record);
         if let Some(march) = &self.march {
             run.record.steps = march.clock().steps;
-            let Shortened { steps, least, time } = march.clock().shortened();
+            // Structures in a fluid have clocks of their own.
+            let of_clock = march.clock().shortened();
+            let Shortened { steps, least, time } = if of_clock.steps > 0 { of_clock } else { body.slowed() };
             run.record.shortened = (steps > 0).then_some(ShortenedSummary { steps, least, time });
         }
     }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use contact::NodalContact;
-use explicit_dynamics::{Dynamics, Exert};
+use explicit_dynamics::{Dynamics, Exert, Shortened};
 use implicit_statics::Equilibrium;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
@@ -125,6 +125,11 @@ pub trait Body: Send {
 pub trait DynamicBody: Body + Dynamics {
     /// Looks at itself where a run records, at a time \[T\]: what it sees is in [`Body::diagnostics`].
     fn look(&mut self, _time: f64) {}
+
+    /// Steps of what has a clock of its own that were made shorter than the stable one, because something came.
+    fn slowed(&self) -> Shortened {
+        Shortened::default()
+    }
 
     /// Lets a function exert forces on its particles from now on; the function comes back from a body that cannot.
     ///

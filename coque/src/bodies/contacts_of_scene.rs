@@ -16,14 +16,17 @@ pub(crate) struct ContactsOfScene {
 impl ContactsOfScene {
     /// Those of a scene and of the body that it makes.
     pub fn of(scene: &Scene, body: &dyn Body) -> Self {
-        let own = |(name, body): (&String, &BodyScene)| {
-            let tools = match body {
-                BodyScene::Shell(shell) => shell.tools.iter().map(|tool| tool.name.clone()).collect(),
-                _ => Vec::new(),
-            };
-            (name.clone(), tools)
+        let tools = |name: &str| match scene.bodies.get(name) {
+            Some(BodyScene::Shell(shell)) => shell.tools.iter().map(|tool| tool.name.clone()).collect(),
+            _ => Vec::new(),
         };
-        Self { bodies: scene.bodies.iter().map(own).collect(), unseen: Unseen::of(scene, body) }
+        // A body that is one has no names of its parts.
+        let names: Vec<&str> = match body.bodies() {
+            parts if parts.is_empty() => scene.bodies.keys().map(String::as_str).collect(),
+            parts => parts,
+        };
+        let bodies = names.into_iter().map(|name| (name.to_string(), tools(name))).collect();
+        Self { bodies, unseen: Unseen::of(scene, body) }
     }
 
     /// The same without a look at what nothing keeps apart.

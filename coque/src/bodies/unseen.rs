@@ -11,7 +11,6 @@ use crate::scene::joints::joints;
 #[derive(Debug)]
 pub(crate) struct Unseen {
     pairs: Vec<Pair>,
-    in_fluid: bool,
 }
 
 /// Two of the bodies, or one with itself.
@@ -29,12 +28,10 @@ impl Unseen {
         let joints = joints(scene).unwrap_or_default();
         let name = |number: usize| outlines[number].name.as_deref();
         let touch = |i: usize, j: usize| {
-            scene.contact.iter().any(|own| match &own.between {
-                Some(between) => [i, j]
-                    .map(name)
-                    .iter()
-                    .all(|name| name.is_some_and(|name| between.iter().any(|other| other == name)) && i != j),
-                None => i == j,
+            let [of_i, of_j] = [i, j].map(|number| name(number).unwrap_or_default());
+            scene.contact.iter().any(|own| match i == j {
+                true => own.is_of_itself(of_i),
+                false => own.other(of_i) == Some(of_j),
             })
         };
         let joined = |i: usize, j: usize| {
@@ -49,8 +46,7 @@ impl Unseen {
                 }
             }
         }
-        let in_fluid = scene.fluid().is_some();
-        (!pairs.is_empty()).then_some(Self { pairs, in_fluid })
+        (!pairs.is_empty()).then_some(Self { pairs })
     }
 
     /// What has come too near to what, at a moment in words; none where nothing has.
@@ -84,20 +80,14 @@ impl Unseen {
         let repair = "or end the run before";
         match pair.of.map(name) {
             [Some(a), Some(b)] if a != b => {
-                let add = match self.in_fluid {
-                    true => "bodies in a fluid do not feel each other: hold them apart, ".to_string(),
-                    false => {
-                        format!("nothing keeps them apart: add [[contact]] between = [\"{a}\", \"{b}\"], ")
-                    }
-                };
+                let add = format!("nothing keeps them apart: add [[contact]] between = [\"{a}\", \"{b}\"], ");
                 format!("`{a}` and `{b}` are in each other {when}: {how}; {add}{repair}")
             }
             [name, _] => {
                 let who = name.map_or_else(|| "the shell".into(), |name| format!("`{name}`"));
-                let add = match name {
-                    None => "add [[contact]], ",
-                    Some(_) => "shells touch themselves where they are alone in their scene: hold it apart, ",
-                };
+                let between =
+                    name.map_or_else(String::new, |name| format!(" between = [\"{name}\", \"{name}\"]"));
+                let add = format!("add [[contact]]{between}, ");
                 format!("{who} is in itself {when}: {how}; nothing keeps its parts apart: {add}{repair}")
             }
         }

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 62] = [
+const EXAMPLES: [Example; 63] = [
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
@@ -51,6 +51,7 @@ const EXAMPLES: [Example; 62] = [
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
     Example::new("gate", 7.0, include_str!("../../../scenes/gate.toml")),
+    Example::new("gate-on-sill", 8.0, include_str!("../../../scenes/gate-on-sill.toml")),
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
     Example::new("hemisphere", 0.1, include_str!("../../../scenes/hemisphere.toml")),

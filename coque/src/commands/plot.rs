@@ -46,7 +46,7 @@ pub struct Plot {
     #[arg(long, value_name = "X,Y", value_parser = columns, conflicts_with_all = ["field", "body", "frame", "frames", "range", "view", "mirror", "scale"])]
     curve: Option<(String, String)>,
     /// The picture [default: DIR/shape.svg, or DIR/curve.svg].
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = svg)]
     out: Option<PathBuf>,
 }
 
@@ -60,6 +60,13 @@ Examples:
 
 Every picture says the scene's title, the level, time or mode, the field with its unit, its least and greatest value in the run,
 and how displacements are drawn where that is not to scale. All bodies share one colour bar; cells across an open crack are left out.";
+
+/// The name of a picture.
+fn svg(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let known = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("svg"));
+    known.then_some(path).ok_or_else(|| "pictures are SVG: give a name that ends in .svg".into())
+}
 
 /// Which frames are drawn.
 #[derive(Clone, Copy)]

@@ -172,7 +172,7 @@ impl<'a> BodyInScene<'a> {
     pub(crate) fn may_touch(&self) -> bool {
         match self.body {
             BodyScene::Shell(shell) => !(shell.tools.is_empty() && self.scene.contact.is_empty()),
-            BodyScene::Solid(_) | BodyScene::Rigid(_) => !self.in_fluid && !self.scene.contact.is_empty(),
+            BodyScene::Solid(_) | BodyScene::Rigid(_) => !self.scene.contact.is_empty(),
             BodyScene::Fluid(_) | BodyScene::Walls(_) => false,
         }
     }

@@ -58,7 +58,9 @@ impl Scene {
     /// [`SceneError`] for the first thing that is out of bounds.
     pub fn check(self) -> Result<Checked, SceneError> {
         check(&self)?;
-        Ok(Checked { scene: self })
+        let mut scene = self;
+        scene.touch_walls();
+        Ok(Checked { scene })
     }
 }
 

@@ -5,12 +5,14 @@ use serde::Deserialize;
 
 use crate::scene::bounded::{FrictionCoefficient, Positive, Rounding};
 
-/// A contact, smooth unless `friction` is given: of the surfaces of two bodies, shells, solids or rigid bodies, or of that of a shell with itself.
+/// A contact, smooth unless `friction` is given: of the surfaces of two bodies, shells, solids or rigid bodies, of a shell with walls of a fluid, or
+/// of a shell with itself.
 /// Mid-surfaces of shells stand half of both thicknesses apart when faces touch.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct ContactScene {
-    /// The two bodies that touch, shells, solids or one of them a rigid body, whichever first; left out, the one body touches itself.
+    /// The two bodies that touch, shells, solids or one of them a rigid body or walls, whichever first; the same twice for a shell with itself;
+    /// left out, the one body touches itself.
     pub between: Option<[String; 2]>,
     /// Coefficient of friction μ \[–\]; left out, none.
     pub friction: Option<FrictionCoefficient>,
@@ -25,6 +27,22 @@ impl ContactScene {
     /// Whether it has friction.
     pub(crate) fn is_rough(&self) -> bool {
         self.friction.is_some_and(|friction| friction.get() > 0.0)
+    }
+
+    /// The two bodies that touch, where they are two.
+    pub(crate) fn pair(&self) -> Option<&[String; 2]> {
+        self.between.as_ref().filter(|between| between[0] != between[1])
+    }
+
+    /// The other one of the two bodies that touch, where this is one of them.
+    pub(crate) fn other(&self, body: &str) -> Option<&str> {
+        let [a, b] = self.pair()?;
+        if a == body { Some(b) } else { Some(a.as_str()).filter(|_| b == body) }
+    }
+
+    /// Whether it is that of a body with itself.
+    pub(crate) fn is_of_itself(&self, body: &str) -> bool {
+        self.between.as_ref().is_none_or(|between| between.iter().all(|name| name == body))
     }
 
     /// Whether it is one of a body.

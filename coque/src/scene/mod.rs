@@ -38,6 +38,7 @@ pub(crate) mod source;
 mod statics;
 mod supports;
 mod tables;
+mod touched_walls;
 pub(crate) mod units;
 mod velocity;
 mod walls;
@@ -73,7 +74,7 @@ pub use shell::material::{
 };
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
-pub use shell::tools::{ToolCapsule, ToolCylinder, ToolPlane, ToolScene, ToolSphere};
+pub use shell::tools::{ToolBlock, ToolCapsule, ToolCylinder, ToolPlane, ToolScene, ToolSphere};
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};

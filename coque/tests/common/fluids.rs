@@ -165,3 +165,43 @@ centre = [0.2, 0.1, 0.0]
 by = 20.0
 amplitude = { table = [[0.0, 0.0], [0.1, 1.0]] }
 "#;
+
+/// Two shells behind water: it presses the first onto the second, and that onto a sill.
+pub const PAIR: &str = r#"title = "Two gates and a sill"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 0.06, record_every = 0.002 }
+loads = [{ on = "all", gravity = { acceleration = [0.0, -10.0, 0.0] } }]
+supports = [
+    { on = "first.u1", clamped = {} },
+    { on = "first.v0", symmetry = { normal = [0, 0, 1] } },
+    { on = "first.v1", symmetry = { normal = [0, 0, 1] } },
+    { on = "second.u1", clamped = {} },
+    { on = "second.v0", symmetry = { normal = [0, 0, 1] } },
+    { on = "second.v1", symmetry = { normal = [0, 0, 1] } },
+]
+contact = [{ between = ["first", "second"] }, { between = ["second", "sill"] }]
+curve = [
+    { name = "F", of = "contact-force", on = "first.all", direction = [1, 0, 0] },
+    { name = "G", of = "contact-force", on = "second.all", direction = [1, 0, 0] },
+    { name = "dx", of = "displacement", on = "second.u0", direction = [1, 0, 0] },
+    { name = "depth", of = "greatest-depth", on = "second.all" },
+    { name = "gap", of = "contact-gap", on = "first.all" },
+]
+[bodies.water.fluid]
+geometry.block = { lengths = [0.1, 0.16], spacing = 0.01 }
+material.liquid = { density = 1000.0, sound_speed = 20.0 }
+[bodies.tank.walls]
+geometry.basin = { min = [0.0, 0.0], max = [0.4, 0.3], open = ["y1"] }
+[bodies.sill.walls]
+geometry.block = { lengths = [0.05, 0.05], origin = [0.15, 0.0] }
+[bodies.first.shell]
+geometry.plate = { lengths = [0.2, 0.08], particles = [11, 2] }
+placed = { origin = [0.11, 0.0, -0.04], u = [0, 1, 0], v = [0, 0, 1] }
+material.elastic = { young = 4e5, poisson = 0.3, density = 1100.0 }
+section.homogeneous = { thickness = 0.02 }
+[bodies.second.shell]
+geometry.plate = { lengths = [0.2, 0.08], particles = [14, 2] }
+placed = { origin = [0.138, 0.0, -0.04], u = [0, 1, 0], v = [0, 0, 1] }
+material.elastic = { young = 4e5, poisson = 0.3, density = 1100.0 }
+section.homogeneous = { thickness = 0.02 }
+"#;

@@ -1,9 +1,10 @@
 //! Fluids, walls and structures: in another order, with more threads, seen in a mirror.
 
-use super::common::fluids::{DAM, GATE, SHELL_GATE};
+use super::common::fluids::{DAM, GATE, PAIR, SHELL_GATE};
 use super::{difference, judge, ran};
 
-const SCENES: [(&str, &str); 3] = [("dam", DAM), ("gate", GATE), ("gate of a shell", SHELL_GATE)];
+const SCENES: [(&str, &str); 4] =
+    [("dam", DAM), ("gate", GATE), ("gate of a shell", SHELL_GATE), ("two gates and a sill", PAIR)];
 
 /// The scene with its bodies in the reverse order.
 fn backwards(text: &str) -> String {

@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
+use contact::NodalContact;
 use explicit_dynamics::{
-    Bounds, Dynamics, Instant, MarchError, OutOfBounds, StableStep, Step, TwoClocks, Wetted, Work,
+    Bounds, Dynamics, Instant, MarchError, OutOfBounds, Shortened, StableStep, Step, TwoClocks, Wetted, Work,
 };
 use fluid_sph::Fluid;
 use sph_core::{Cell, Vec3};
@@ -16,13 +17,17 @@ use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatc
 use crate::bodies::fluid::escaped::{Sides, lost};
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::{fields, figures};
-use crate::bodies::{FieldRequest, FieldSource, Outline};
+use crate::bodies::together::{Parts, kept_between, take_up_between};
+use crate::bodies::{ContactNow, FieldRequest, FieldSource, Outline, With};
 use crate::scene::Measured;
 
 /// A structure that a fluid wets, as the application asks of it.
 pub(in crate::bodies) trait Structure: Body + Wetted {}
 
 impl<S: Body + Wetted> Structure for S {}
+
+/// A fluid and structures on their clocks.
+pub(super) type Clocks = TwoClocks<Fluid, dyn Structure>;
 
 /// Name of the array of the clocks in a state; those of bodies have their names in front.
 const OF_CLOCKS: &str = "clocks";
@@ -31,7 +36,7 @@ const OF_WATCH: &str = "watch";
 
 /// A fluid with its walls and the structures in it.
 pub(super) struct Coupled {
-    pub clocks: TwoClocks<Fluid, dyn Structure>,
+    pub clocks: Clocks,
     pub layout: Layout,
     /// Particles at rest, all bodies one behind the other \[L\].
     pub rest: Vec<Vec3>,
@@ -50,6 +55,12 @@ pub(super) struct Coupled {
 impl Coupled {
     fn structure(&self, number: usize) -> Option<&dyn Structure> {
         self.clocks.structures().nth(number)
+    }
+
+    /// The structure that one of the bodies is, and its particles.
+    fn structure_of(&self, body: usize) -> Option<(usize, &Range<usize>)> {
+        let number = body.checked_sub(1)?;
+        self.layout.structures.get(number).map(|range| (number, range))
     }
 
     /// Where the fluid is looked at for a pressure or a level.
@@ -83,7 +94,7 @@ impl Body for Coupled {
                 Measured::Density => fluid.densities()[a],
                 _ => 0.0,
             },
-            Place::Structure(k, a) => self.structure(k).map_or(0.0, |body| body.read(of, a, along)),
+            Place::Structure(k, a) => self.clocks.read(&self.layout.contacts, of, [k, a], along),
             Place::Wall(piece, a) => match of {
                 Measured::Position => self.looked_at((piece, a)).dot(along),
                 Measured::Displacement => (self.looked_at((piece, a)) - self.rest[number]).dot(along),
@@ -125,6 +136,9 @@ impl Body for Coupled {
         let structures = self.layout.structures.len();
         match body.checked_sub(1) {
             Some(number) if number < structures => match self.structure(number) {
+                Some(structure) if shown.contact => {
+                    structure.fields_with_contact(shown, self.contact_fields(body))
+                }
                 Some(structure) => structure.fields(shown),
                 None => self.fields(shown),
             },
@@ -134,6 +148,40 @@ impl Body for Coupled {
             }
             None => self.fields(shown),
         }
+    }
+
+    fn place(&self, particle: usize) -> (usize, usize) {
+        match self.layout.place(particle) {
+            Place::Structure(number, own) => (number + 1, own),
+            _ => (0, particle),
+        }
+    }
+
+    fn nodal_contact(&self, body: usize) -> Vec<NodalContact> {
+        let Some((number, range)) = self.structure_of(body) else { return Vec::new() };
+        self.clocks.nodal_contact(&self.layout.contacts, number, range.len())
+    }
+
+    fn gaps(&self, body: usize, particles: &[u32]) -> Vec<f64> {
+        let Some((number, _)) = self.structure_of(body) else { return vec![f64::INFINITY; particles.len()] };
+        self.clocks.gaps(&self.layout.contacts, number, particles)
+    }
+
+    fn contacts(&self) -> Vec<ContactNow> {
+        let behind = |own: ContactNow| ContactNow {
+            body: own.body + 1,
+            with: match own.with {
+                With::Body(other) => With::Body(other + 1),
+                with => with,
+            },
+            ..own
+        };
+        self.clocks.contacts(&self.layout.contacts).into_iter().map(behind).collect()
+    }
+
+    fn has_tools(&self, body: usize) -> bool {
+        let structure = self.structure_of(body).and_then(|(number, _)| self.structure(number));
+        structure.is_some_and(|structure| structure.has_tools(0))
     }
 
     fn outlines(&self) -> Vec<Outline> {
@@ -166,6 +214,7 @@ impl Body for Coupled {
         for (structure, name) in self.clocks.structures().zip(&self.layout.names[1..]) {
             all.extend(structure.state().into_iter().map(|array| named(name, &array.name, array.numbers)));
         }
+        all.extend(kept_between(&self.clocks.kept()));
         all
     }
 
@@ -198,6 +247,9 @@ impl Coupled {
             self.layout.names[1..=self.layout.structures.len()].iter().map(|name| of(name)).collect();
         for (structure, part) in self.clocks.structures_mut().zip(&parts) {
             structure.set_state(part)?;
+        }
+        if !take_up_between(&mut self.clocks, arrays) {
+            return Err(Mismatch);
         }
         let clocks = arrays.iter().find(|array| array.name == OF_CLOCKS).ok_or(Mismatch)?;
         let (clocks, &[greatest, fast, ran]) = clocks.numbers.split_last_chunk().ok_or(Mismatch)?;
@@ -242,6 +294,10 @@ impl Dynamics for Coupled {
         self.clocks.stable_step(safety)
     }
 
+    fn shortened(&mut self, stable: f64, safety: f64) -> f64 {
+        self.clocks.shortened(stable, safety)
+    }
+
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
         self.clocks.within_bounds(bounds)
     }
@@ -254,5 +310,9 @@ impl Dynamics for Coupled {
 impl DynamicBody for Coupled {
     fn look(&mut self, time: f64) {
         self.watch.look(time, &self.clocks);
+    }
+
+    fn slowed(&self) -> Shortened {
+        self.clocks.slowed()
     }
 }

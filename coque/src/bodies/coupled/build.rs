@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use explicit_dynamics::{BoundaryState, Dynamics, TwoClocks};
+use explicit_dynamics::{BoundaryState, Dynamics, Interaction, TwoClocks};
 use fluid_sph::{Fluid, FluidError, Formulation, Parts, Wall, lattice_moduli};
 use sph_core::{Cell, Vec3};
 
@@ -19,6 +19,7 @@ use crate::bodies::fluid::walls::{BuiltWalls, Corner, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::memory::check_memory;
 use crate::bodies::refusal::model_error;
+use crate::bodies::together::{Side, TouchingBodies, contacts};
 use crate::bodies::{BuiltBody, Description, Memory, Model, Ready};
 use crate::scene::body_in_scene::{BodyInScene, gravity_on};
 use crate::scene::error::SceneError;
@@ -47,6 +48,10 @@ pub(in crate::bodies) fn coupled_model(
         |wet: &WettedBody<'_>| liquid.density.get() * liquid.sound_speed.get() * step / wet.area_density;
     let added_mass: Vec<f64> = wets.iter().map(|(_, wet)| mass(wet)).collect();
     let mut built = CoupledParts::new(name, &fluid, &walls, &wets);
+    let names: Vec<String> = wets.iter().map(|(name, _)| (*name).to_string()).collect();
+    let sides: Vec<Side> = wets.iter_mut().filter_map(|(_, wet)| wet.side.take()).collect();
+    let contacts = contacts(scene, &names, &sides)?;
+    built.layout.contacts = 0..contacts.len();
     let (watch, unseen) = watched(wanted, &fluid, &walls, &wets, &built.layout)?;
     let probes = {
         let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
@@ -76,6 +81,7 @@ pub(in crate::bodies) fn coupled_model(
         description = total;
     }
     description.bodies = bodies;
+    description.modelled.extend(contacts.iter().map(TouchingBodies::line));
     let memory = together(memory, &made);
     let identity = identity(&made);
     let mut structures: Vec<Box<dyn Structure>> = Vec::new();
@@ -85,7 +91,8 @@ pub(in crate::bodies) fn coupled_model(
         judges.extend(made.judge.map(|judge| (judge, range.clone(), cells)));
         structures.push(made.body);
     }
-    let mut clocks = TwoClocks::new(fluid, structures);
+    let contacts = contacts.into_iter().map(|own| Box::new(own) as Box<dyn Interaction>);
+    let mut clocks = TwoClocks::new(fluid, structures).with_interactions(contacts.collect());
     clocks.order = coupling.order;
     clocks.impedance = coupling.impedance;
     let CoupledParts { layout, rest, cells } = built;

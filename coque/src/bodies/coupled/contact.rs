@@ -1,4 +1,5 @@
-//! Structures and walls do not feel each other: which structure stands in a wall, and which got into one.
+//! Structures and walls do not feel each other but for shells whose scene names the contact: which structure stands in a wall, and which got
+//! into one.
 //!
 //! How deep a place is in a wall is reported exactly of basins and blocks at rest. Of other walls, and of those that move, it is found by the
 //! balls of half a spacing about their particles, which lie within the wall: that is at least how deep a place is, and rows behind the
@@ -28,6 +29,8 @@ struct Watched {
     /// Its pieces among the walls of the fluid.
     pieces: Range<usize>,
     moves: bool,
+    /// By structure: whether it touches the walls, and cannot get into them.
+    touched: Vec<bool>,
 }
 
 #[derive(Clone, Debug)]
@@ -74,7 +77,7 @@ pub(super) struct Contact {
 }
 
 impl Watched {
-    fn new(body: &BuiltWalls<'_>, pieces: Range<usize>) -> Self {
+    fn new(body: &BuiltWalls<'_>, pieces: Range<usize>, structures: &[&str]) -> Self {
         let corner =
             |list: &[f64], none: f64| Vec3::from([0, 1, 2].map(|k| list.get(k).copied().unwrap_or(none)));
         let shape = match &body.scene.geometry {
@@ -95,7 +98,10 @@ impl Watched {
             }
             WallGeometry::Polyline(_) | WallGeometry::Surface(_) => Shape::Rows,
         };
-        Self { name: body.view.name.into(), shape, pieces, moves: body.scene.motion.is_some() }
+        let touches =
+            |name: &&str| body.view.scene.contact.iter().any(|own| own.other(body.view.name) == Some(*name));
+        let touched = structures.iter().map(touches).collect();
+        Self { name: body.view.name.into(), shape, pieces, moves: body.scene.motion.is_some(), touched }
     }
 
     /// How deep each of some places is in it \[L\], those no deeper than what counts left out.
@@ -136,15 +142,16 @@ impl Watched {
 }
 
 impl Contact {
-    /// The walls about some structures, whose places in the plane of the fluid are given; a wall's pieces are those of the fluid.
+    /// The walls about some structures, whose names and places in the plane of the fluid are given; a wall's pieces are those of the fluid.
     pub fn new(
         walls: &[BuiltWalls<'_>],
         pieces: &[Range<usize>],
         fluid: &Fluid,
-        structures: &[Vec<Vec3>],
+        (names, structures): (&[&str], &[Vec<Vec3>]),
     ) -> Self {
-        let walls =
-            walls.iter().zip(pieces).map(|(body, pieces)| Watched::new(body, pieces.clone())).collect();
+        let watched =
+            |(body, pieces): (&BuiltWalls<'_>, &Range<usize>)| Watched::new(body, pieces.clone(), names);
+        let walls = walls.iter().zip(pieces).map(watched).collect();
         let begins = structures.iter().map(|places| vec![false; places.len()]).collect();
         let none = Entered { since: -1.0, wall: 0.0, depth: 0.0, at: 0.0 };
         let entered = vec![none; structures.len()];
@@ -175,7 +182,8 @@ impl Contact {
         let begins = &self.begins[number];
         // What began in a wall is held there, unless it moves in it.
         let counts = |particle: usize, wall: &Watched| {
-            !begins[particle] || (!wall.moves && (places[particle] - rest[particle]).norm() > far)
+            !wall.touched[number]
+                && (!begins[particle] || !wall.moves && (places[particle] - rest[particle]).norm() > far)
         };
         let Some(Inside { wall, depth }) = self.deepest(fluid, places, counts) else { return };
         let entered = &mut self.entered[number];

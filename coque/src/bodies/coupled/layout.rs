@@ -24,6 +24,8 @@ pub(super) struct Layout {
     pub shares: Vec<Vec<Share>>,
     /// Pieces of each body of walls.
     pub walls: Vec<Range<usize>>,
+    /// Which of the interactions of structures are contacts.
+    pub contacts: Range<usize>,
     /// Gauges: pressures, levels and fluxes are read there.
     pub gauges: Vec<Gauge>,
 }

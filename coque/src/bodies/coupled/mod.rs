@@ -1,5 +1,6 @@
 //! Bodies built together: a fluid, its walls, the structures in it.
 
+mod between;
 mod body;
 pub(super) mod build;
 mod contact;

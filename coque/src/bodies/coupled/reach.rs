@@ -75,7 +75,12 @@ impl Loose<'_> {
             let points = body.rows.pieces.iter().flat_map(|piece| &piece.points);
             points.filter_map(below).min_by(f64::total_cmp)
         };
-        let nearest = walls.iter().filter_map(|body| Some((body.view.name, wall(body, &mut below)?)));
+        let touched = |body: &BuiltWalls<'_>| {
+            let contact = &self.scene.scene.contact;
+            contact.iter().any(|own| own.other(body.view.name) == Some(self.scene.name))
+        };
+        let felt = walls.iter().filter(|body| !touched(body));
+        let nearest = felt.filter_map(|body| Some((body.view.name, wall(body, &mut below)?)));
         let (wall, way) = nearest.min_by(|a, b| a.1.total_cmp(&b.1))?;
         // Faces lie half a spacing before the first row.
         let way = way - 0.5 * wanted.geometry.spacing();
@@ -98,8 +103,8 @@ impl Loose<'_> {
         let name = self.scene.name;
         let message = format!(
             "{name}: nothing holds it along gravity, and it {why}: it may get to `{wall}`, {way:.4} below it, within the run. \
-             Structures and walls do not feel each other, so that it would go on through the wall; hold it, or end the run \
-             before (the summary then says whether it got there)"
+             Structures and walls feel each other where a [[contact]] names a shell and walls that are a basin or a block, else it \
+             would go on through the wall; name that, hold it, or end the run before (the summary then says whether it got there)"
         );
         Some(Warning::new(WarningKind::NoContact, message))
     }

@@ -7,6 +7,7 @@ use crate::bodies::BuiltBody;
 use crate::bodies::fluid::parts::rows_deep;
 use crate::bodies::shell::build::shell_made;
 use crate::bodies::solid::build::solid_made;
+use crate::bodies::together::{Side, of_bonds, of_shell};
 use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
 use crate::scene::error::SceneError;
 use crate::scene::{BodyScene, FluidScene, SolidScene};
@@ -17,6 +18,8 @@ pub(super) struct WettedBody<'a> {
     pub made: BuiltBody<Box<dyn Structure>>,
     /// Mass by area of its surface, ρ_s t \[F T²/L³\].
     pub area_density: f64,
+    /// Its surface, where a contact with another structure names it.
+    pub side: Option<Side>,
 }
 
 /// Builds a body, if it is a structure, and wets it.
@@ -37,14 +40,17 @@ pub(super) fn wet<'a>(
             // The checks leave a shell in a fluid no material or section of a file.
             let area_density =
                 shell.material.density().zip(shell.section.thickness()).map_or(0.0, |(rho, t)| rho * t);
-            let made = shell_made(&ShellInScene::new(scene, shell), threads, Some(wetting))?
-                .map(|shell| Box::new(shell) as _);
-            Ok(Some(WettedBody { scene, made, area_density }))
+            let made = shell_made(&ShellInScene::new(scene, shell), threads, Some(wetting))?;
+            let side = of_shell(scene, &made.body)?;
+            let made = made.map(|shell| Box::new(shell) as _);
+            Ok(Some(WettedBody { scene, made, area_density, side }))
         }
         BodyScene::Solid(solid) => {
             let area_density = thickness(solid) * solid.material.density();
-            let made = solid_made(scene, solid, threads, true)?.map(|solid| Box::new(solid) as _);
-            Ok(Some(WettedBody { scene, made, area_density }))
+            let made = solid_made(scene, solid, threads, true)?;
+            let side = of_bonds(scene, solid, &made.body);
+            let made = made.map(|solid| Box::new(solid) as _);
+            Ok(Some(WettedBody { scene, made, area_density, side }))
         }
         BodyScene::Fluid(_) | BodyScene::Walls(_) | BodyScene::Rigid(_) => Ok(None),
     }

@@ -33,7 +33,8 @@ pub(super) fn watched(
     let places: Vec<Vec<Vec3>> = (wets.iter())
         .map(|(_, wet)| in_plane(fluid.dimensions(), &wet.made.body.configuration().present))
         .collect();
-    let contact = Contact::new(walls, &layout.walls, fluid, &places);
+    let names: Vec<&str> = wets.iter().map(|(name, _)| *name).collect();
+    let contact = Contact::new(walls, &layout.walls, fluid, (&names, &places));
     let (mut all_dry, mut warnings) = (Vec::new(), Vec::new());
     for (number, ((_, wet), places)) in wets.iter().zip(&places).enumerate() {
         all_dry.extend(dry(number, wet, fluid)?);
@@ -79,7 +80,7 @@ fn dry(number: usize, wet: &WettedBody<'_>, fluid: &Fluid) -> Result<Option<Dry>
 fn in_wall(scene: &BodyInScene<'_>, contact: &Contact, inside: Inside) -> SceneError {
     let wall = contact.wall(inside.wall);
     let value = format!("a body that reaches {:.4} deep into `{wall}`", inside.depth);
-    let bound = "one outside the walls, or held: structures and walls do not feel each other";
+    let bound = "one outside the walls, or held";
     let repair = format!("move it out of `{wall}`, or hold what is in there by a support");
     scene.body_scope().value("geometry", value, bound, &repair)
 }

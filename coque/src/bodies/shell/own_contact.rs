@@ -9,6 +9,7 @@ use super::build::Builder;
 use super::sections::Sections;
 use super::tools::{ROUNDED, TOUCHING, stiffness};
 use crate::scene::Analysis;
+use crate::scene::ContactScene;
 use crate::scene::error::SceneError;
 
 /// Stiffness over that against a rigid tool: both sides give.
@@ -17,7 +18,7 @@ const OF_BOTH: f64 = 0.5;
 impl Builder<'_> {
     /// How the shell touches itself, if its scene says so.
     pub(super) fn own_contact(&self, sections: &Sections, cloud: &Cloud) -> Option<OwnContact> {
-        let own = self.scene.scene.contact.iter().find(|own| own.between.is_none())?;
+        let own = self.scene.scene.contact.iter().find(|own| own.is_of_itself(self.scene.name))?;
         let marches = matches!(self.scene.analysis, Analysis::Explicit(_));
         let rounding = own.rounding.map_or(if marches { ROUNDED } else { 0.0 }, |rounding| rounding.get());
         let factor = own.stiffness.map_or(1.0, |factor| factor.get());
@@ -42,6 +43,9 @@ impl Builder<'_> {
             format!("the shell with {here} and {there}, {:.4e} apart", (1.0 - found.depth) * thickness);
         let bound = format!("a thickness ({thickness:.4e}) apart or more where parts face each other");
         let repair = "move them apart, or leave the contact out";
-        Err(SceneError::Choice(self.scene.scope().fault("contact[0]", &value, &bound, repair)))
+        let own = |own: &ContactScene| own.is_of_itself(self.scene.name);
+        let number = self.scene.scene.contact.iter().position(own).unwrap_or_default();
+        let path = format!("contact[{number}]");
+        Err(SceneError::Choice(self.scene.scope().fault(&path, &value, &bound, repair)))
     }
 }

@@ -99,6 +99,30 @@ impl Drawn {
                 let axis = (ends[1] - ends[0]).try_normalize(0.0).unwrap_or_else(Vec3::z);
                 self.ball(ends, &axis, radius);
             }
+            ToolShape::Block { min, max } => {
+                let ends = [0, 1, 2].map(|k| {
+                    let [low, high] = reach(rest, &Vec3::ith(k, 1.0));
+                    [
+                        if min[k].is_finite() { min[k] } else { low },
+                        if max[k].is_finite() { max[k] } else { high },
+                    ]
+                });
+                for k in 0..3 {
+                    let [u, v] = [(k + 1) % 3, (k + 2) % 3];
+                    for (side, along) in ends[k].into_iter().enumerate() {
+                        let finite = [min, max][side][k].is_finite();
+                        let place = |i, j| {
+                            let mut place = Vec3::zeros();
+                            (place[k], place[u]) = (along, between(ends[u], i, ALONG));
+                            place[v] = between(ends[v], j, ALONG);
+                            place
+                        };
+                        if finite {
+                            self.grid([ALONG, ALONG], place);
+                        }
+                    }
+                }
+            }
         }
     }
 
@@ -143,6 +167,7 @@ mod tests {
             ToolShape::Sphere { centre: point, radius: 0.7 },
             ToolShape::Cylinder { point, axis, radius: 0.7 },
             ToolShape::Capsule { ends: [point, point + axis * 2.0], radius: 0.7 },
+            ToolShape::Block { min: point - Vec3::new(1.0, 2.0, f64::INFINITY), max: point },
         ];
         for shape in shapes {
             let mut drawn = Drawn::default();

@@ -43,7 +43,7 @@ impl Builder<'_> {
     }
 
     fn shape(&self, tool: &ToolScene) -> Option<ToolShape> {
-        let ToolScene { plane, sphere, cylinder, capsule, .. } = tool;
+        let ToolScene { plane, sphere, cylinder, capsule, block, .. } = tool;
         let plane = plane.map(|plane| ToolShape::Plane {
             point: self.turned(plane.point),
             normal: self.turned(plane.normal),
@@ -61,7 +61,8 @@ impl Builder<'_> {
             ends: capsule.ends.map(|end| self.turned(end)),
             radius: capsule.radius.get(),
         });
-        plane.or(sphere).or(cylinder).or(capsule)
+        let block = block.map(|block| ToolShape::Block { min: block.min.into(), max: block.max.into() });
+        plane.or(sphere).or(cylinder).or(capsule).or(block)
     }
 
     /// Refuses a shell that stands in a tool before anything moves.

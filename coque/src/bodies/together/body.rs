@@ -6,7 +6,7 @@ use std::ops::Range;
 use contact::NodalContact;
 use sph_core::Vec3;
 
-use super::contact::TouchingBodies;
+use super::kept::{kept_between, take_up_between};
 use super::layout::Layout;
 use super::parts::Parts;
 use crate::Warning;
@@ -30,24 +30,7 @@ impl<S: Parts> Body for Together<S> {
 
     fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64 {
         let (body, own) = self.layout.place(particle);
-        let of_body = self.system.each().get(body).map_or(0.0, |part| part.read(of, own, along));
-        if of == Measured::FrictionLoss {
-            let between = self.layout.contacts.clone();
-            return between.map(|contact| self.system.lost_at(contact, body, own)).sum::<f64>() + of_body;
-        }
-        if !matches!(of, Measured::ContactForce | Measured::ContactMoment) {
-            return of_body;
-        }
-        let force: Vec3 =
-            self.layout.contacts.clone().map(|contact| self.system.force_on(contact, body, own)).sum();
-        let place = |part: &dyn Body| {
-            let axes = [Vec3::x(), Vec3::y(), Vec3::z()];
-            Vec3::from(axes.map(|axis| part.read(Measured::Position, own, &axis)))
-        };
-        match self.system.each().get(body) {
-            Some(part) if of == Measured::ContactMoment => place(*part).cross(&force).dot(along) + of_body,
-            _ => force.dot(along) + of_body,
-        }
+        self.system.read(&self.layout.contacts, of, [body, own], along)
     }
 
     fn counts_turns(&self, particle: usize) -> bool {
@@ -89,31 +72,16 @@ impl<S: Parts> Body for Together<S> {
     }
 
     fn nodal_contact(&self, body: usize) -> Vec<NodalContact> {
-        let mut nodal = self.system.each().get(body).map_or_else(Vec::new, |part| part.nodal_contact(0));
-        // A body other than a shell touches nothing by itself.
-        nodal.resize(self.layout.particles.get(body).map_or(0, Range::len), NodalContact::default());
-        self.touching().for_each(|contact| contact.nodal_contact(body, &mut nodal));
-        nodal
+        let particles = self.layout.particles.get(body).map_or(0, Range::len);
+        self.system.nodal_contact(&self.layout.contacts, body, particles)
     }
 
     fn gaps(&self, body: usize, particles: &[u32]) -> Vec<f64> {
-        let parts = self.system.each();
-        let mut gaps = parts.get(body).map_or_else(Vec::new, |part| part.gaps(0, particles));
-        let places = |number: usize| parts[number].configuration().present;
-        for own in self.touching().filter_map(|contact| contact.gaps(body, particles, places)) {
-            gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap = gap.min(own));
-        }
-        gaps
+        self.system.gaps(&self.layout.contacts, body, particles)
     }
 
     fn contacts(&self) -> Vec<ContactNow> {
-        let parts = self.system.each();
-        let own = |(body, part): (usize, &&dyn Body)| {
-            part.contacts().into_iter().map(move |own| ContactNow { body, ..own })
-        };
-        let places = |number: usize| parts[number].configuration().present;
-        let between = self.touching().map(|contact| contact.now(places));
-        parts.iter().enumerate().flat_map(own).chain(between).collect()
+        self.system.contacts(&self.layout.contacts)
     }
 
     fn has_tools(&self, body: usize) -> bool {
@@ -148,10 +116,7 @@ impl<S: Parts> Body for Together<S> {
             });
             named.collect::<Vec<_>>()
         };
-        let kept = self.system.kept().into_iter().enumerate().filter(|(_, kept)| !kept.is_empty());
-        let kept = kept
-            .map(|(number, numbers)| StateArray { name: between(number).into(), numbers: numbers.into() });
-        parts.flat_map(named).chain(kept).collect()
+        parts.flat_map(named).chain(kept_between(&self.system.kept())).collect()
     }
 
     fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
@@ -166,11 +131,6 @@ impl<S: Parts> Body for Together<S> {
 }
 
 impl<S: Parts> Together<S> {
-    /// The contacts between the bodies.
-    fn touching(&self) -> impl Iterator<Item = &TouchingBodies> {
-        self.layout.contacts.clone().filter_map(|number| self.system.touching(number))
-    }
-
     fn take_up(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
         let of = |name: &str| -> Vec<StateArray<'_>> {
             let start = format!("{name}: ");
@@ -183,18 +143,8 @@ impl<S: Parts> Together<S> {
         let parts: Vec<_> = self.layout.names.iter().map(|name| of(name)).collect();
         let mut bodies = self.system.each_mut();
         bodies.iter_mut().zip(&parts).try_for_each(|(body, own)| body.set_state(own))?;
-        let kept = |number: usize| -> &[f64] {
-            let own = arrays.iter().find(|array| array.name == between(number));
-            own.map_or(&[], |array| &array.numbers)
-        };
-        let kept: Vec<&[f64]> = (0..self.system.kept().len()).map(kept).collect();
-        if self.system.take_up(&kept) { Ok(()) } else { Err(Mismatch) }
+        if take_up_between(&mut self.system, arrays) { Ok(()) } else { Err(Mismatch) }
     }
-}
-
-/// Name of what an interaction keeps.
-fn between(number: usize) -> String {
-    format!("between bodies, {number}")
 }
 
 fn owned(array: StateArray<'_>) -> StateArray<'static> {

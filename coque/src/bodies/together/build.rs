@@ -61,7 +61,7 @@ pub(in crate::bodies) fn together_model(
         sets.insert((*name).to_string(), std::mem::take(&mut part.sets));
     }
     let joints = BetweenBodies::find(scene, &layout, &sets)?;
-    let contacts = contacts(scene, &layout, &sides)?;
+    let contacts = contacts(scene, &layout.names, &sides)?;
     let own = made.iter_mut().map(|(_, part)| std::mem::take(&mut part.probes)).collect();
     let probes = probes(scene, &layout, own)?;
     let warned = |(name, part): &mut (&str, BuiltBody<Part>)| -> Vec<Warning> {
@@ -125,7 +125,7 @@ fn galerkin_contact(scene: &Scene, body: &BodyInScene<'_>) -> Option<Warning> {
     let BodyScene::Solid(solid) = body.body else { return None };
     solid.galerkin()?;
     let names = |pair: &[String; 2]| pair.iter().any(|name| name == body.name);
-    scene.contact.iter().filter_map(|own| own.between.as_ref()).find(|pair| names(pair))?;
+    scene.contact.iter().filter_map(|own| own.pair()).find(|pair| names(pair))?;
     let message = format!(
         "`{}` touches by shape functions some spacings wide: the force between pressed faces is held to 3 %, but a contact of three cells in its half \
          width came out two fifths too wide beside Hertz's; refine until what you read of the contact stands still",

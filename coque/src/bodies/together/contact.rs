@@ -13,7 +13,7 @@ const SKIN: f64 = 0.3;
 
 /// A body as another touches it.
 #[derive(Clone)]
-pub(super) struct Side {
+pub(in crate::bodies) struct Side {
     /// Its name.
     pub name: String,
     /// Its number among the bodies.
@@ -47,7 +47,7 @@ pub(super) struct Manner {
 
 /// The contact of two bodies, places being the particles of the first that carry its surface and then those of the second.
 #[derive(Clone)]
-pub(super) struct TouchingBodies {
+pub(in crate::bodies) struct TouchingBodies {
     names: [String; 2],
     /// Particles of each body, those of others empty.
     pub(super) particles: Vec<Vec<u32>>,
@@ -67,7 +67,7 @@ pub(super) struct TouchingBodies {
 
 impl TouchingBodies {
     /// The contact of two of so many bodies: the first of the two comes first, whichever the scene names first.
-    pub fn new(sides: [Side; 2], bodies: usize, manner: Manner) -> Self {
+    pub(super) fn new(sides: [Side; 2], bodies: usize, manner: Manner) -> Self {
         let [a, b] = if sides[0].body < sides[1].body {
             sides
         } else {

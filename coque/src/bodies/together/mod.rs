@@ -10,6 +10,7 @@ mod body;
 pub(super) mod build;
 mod contact;
 mod joints;
+mod kept;
 mod layout;
 mod march;
 mod moving;
@@ -18,3 +19,9 @@ mod parts;
 mod sides;
 mod skin;
 mod touched;
+
+pub(super) use contact::{Side, TouchingBodies};
+pub(super) use kept::{kept_between, take_up_between};
+pub(super) use parts::Parts;
+pub(super) use sides::{of_bonds, of_shell};
+pub(super) use touched::contacts;

@@ -1,11 +1,15 @@
 //! What is asked of a body beside others, and of all of them whatever they are solved by.
 
 use std::any::Any;
+use std::ops::Range;
 
+use contact::NodalContact;
 use sph_core::Vec3;
 
 use super::contact::TouchingBodies;
+use crate::bodies::ContactNow;
 use crate::bodies::body::{Body, DynamicBody, StaticBody};
+use crate::scene::Measured;
 
 /// A body that is marched beside others.
 pub(in crate::bodies) trait MarchedPart: DynamicBody + explicit_dynamics::Joinable {}
@@ -22,8 +26,8 @@ pub(super) type Marched = explicit_dynamics::Several<dyn MarchedPart>;
 /// Bodies balanced together.
 pub(super) type Balanced = implicit_statics::Several<dyn BalancedPart>;
 
-/// Bodies one behind the other.
-pub(super) trait Parts: Send {
+/// Bodies one behind the other; of what they do to each other some interactions are contacts.
+pub(in crate::bodies) trait Parts: Send {
     /// Each of them.
     fn each(&self) -> Vec<&dyn Body>;
 
@@ -44,6 +48,61 @@ pub(super) trait Parts: Send {
 
     /// Takes that up; false if it is that of others.
     fn take_up(&mut self, kept: &[&[f64]]) -> bool;
+
+    /// One quantity at a particle of a body, what others do to it included.
+    fn read(&self, contacts: &Range<usize>, of: Measured, [body, particle]: [usize; 2], along: &Vec3) -> f64 {
+        let bodies = self.each();
+        let Some(part) = bodies.get(body) else { return 0.0 };
+        let of_body = part.read(of, particle, along);
+        let force = || contacts.clone().map(|contact| self.force_on(contact, body, particle)).sum::<Vec3>();
+        match of {
+            Measured::FrictionLoss => {
+                let lost = contacts.clone().map(|contact| self.lost_at(contact, body, particle));
+                lost.sum::<f64>() + of_body
+            }
+            Measured::ContactForce => force().dot(along) + of_body,
+            Measured::ContactMoment => {
+                let axes = [Vec3::x(), Vec3::y(), Vec3::z()];
+                let place = Vec3::from(axes.map(|axis| part.read(Measured::Position, particle, &axis)));
+                place.cross(&force()).dot(along) + of_body
+            }
+            _ => of_body,
+        }
+    }
+
+    /// What each of so many particles of a body feels of contact.
+    fn nodal_contact(&self, contacts: &Range<usize>, body: usize, particles: usize) -> Vec<NodalContact> {
+        let mut nodal = self.each().get(body).map_or_else(Vec::new, |part| part.nodal_contact(0));
+        // A body other than a shell touches nothing by itself.
+        nodal.resize(particles, NodalContact::default());
+        for contact in contacts.clone().filter_map(|number| self.touching(number)) {
+            contact.nodal_contact(body, &mut nodal);
+        }
+        nodal
+    }
+
+    /// Gaps at some particles of a body \[L\].
+    fn gaps(&self, contacts: &Range<usize>, body: usize, particles: &[u32]) -> Vec<f64> {
+        let parts = self.each();
+        let mut gaps = parts.get(body).map_or_else(Vec::new, |part| part.gaps(0, particles));
+        let places = |number: usize| parts[number].configuration().present;
+        let between = contacts.clone().filter_map(|number| self.touching(number));
+        for own in between.filter_map(|contact| contact.gaps(body, particles, places)) {
+            gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap = gap.min(own));
+        }
+        gaps
+    }
+
+    /// All contacts with what they do now.
+    fn contacts(&self, contacts: &Range<usize>) -> Vec<ContactNow> {
+        let parts = self.each();
+        let own = |(body, part): (usize, &&dyn Body)| {
+            part.contacts().into_iter().map(move |own| ContactNow { body, ..own })
+        };
+        let places = |number: usize| parts[number].configuration().present;
+        let between = contacts.clone().filter_map(|number| self.touching(number));
+        parts.iter().enumerate().flat_map(own).chain(between.map(|contact| contact.now(places))).collect()
+    }
 }
 
 impl Parts for Marched {

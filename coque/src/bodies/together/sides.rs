@@ -15,7 +15,7 @@ use crate::bodies::galerkin::solid::GalerkinSolid;
 use crate::bodies::refusal::model_error;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{Scene, SolidMaterial, SolidScene};
+use crate::scene::{BodyScene, Scene, SolidMaterial, SolidScene};
 
 /// Depth of the surface of a Galerkin solid below its faces, over the least edge of its cells there: so thin that what it leaves out of the
 /// strained body, whose place the stiffness of contact takes, does not show, and a depth that Newton's method can find.
@@ -24,8 +24,9 @@ const BELOW: f64 = 0.1;
 /// The contact that names a body first, by number.
 fn named(scene: &Scene, name: &str) -> Option<usize> {
     let names = |number: &usize| {
-        let between = scene.contact[*number].between.as_ref();
-        between.is_some_and(|between| between.iter().any(|other| other == name))
+        let other = scene.contact[*number].other(name).and_then(|other| scene.bodies.get(other));
+        // Walls are tools of a shell.
+        other.is_some_and(|other| !matches!(other, BodyScene::Walls(_)))
     };
     (0..scene.contact.len()).find(names)
 }
@@ -34,7 +35,10 @@ fn named(scene: &Scene, name: &str) -> Option<usize> {
 ///
 /// # Errors
 /// [`SceneError`] for a shell without cells, with sections off its particles or with thicknesses that differ.
-pub(super) fn of_shell(scene: &BodyInScene<'_>, shell: &Shell) -> Result<Option<Side>, SceneError> {
+pub(in crate::bodies) fn of_shell(
+    scene: &BodyInScene<'_>,
+    shell: &Shell,
+) -> Result<Option<Side>, SceneError> {
     let Some(number) = named(scene.scene, scene.name) else { return Ok(None) };
     let path = format!("contact[{number}].between");
     let refused = |error: sph_shell::ShellError| model_error(scene.source, &path, &error.to_string());
@@ -55,7 +59,7 @@ pub(super) fn of_shell(scene: &BodyInScene<'_>, shell: &Shell) -> Result<Option<
 
 /// All nodes of a solid of bonds as balls of half the least spacing: the outermost lie so far inside the faces, and a fragment keeps its own. The
 /// area of each is its volume over its diameter; a layer of nodes is as stiff against a tool as a sheet of their spacing.
-pub(super) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid) -> Option<Side> {
+pub(in crate::bodies) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid) -> Option<Side> {
     named(scene.scene, scene.name)?;
     let block = solid.block();
     let spacing = block.spacing.iter().copied().fold(f64::INFINITY, f64::min);

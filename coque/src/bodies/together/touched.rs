@@ -3,35 +3,34 @@
 use contact::Law;
 
 use super::contact::{Manner, Side, TouchingBodies};
-use super::layout::Layout;
 use crate::bodies::shell::tools::{ROUNDED, TOUCHING};
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, Scene};
 
-/// All contacts of a scene, over the surfaces of those bodies that they name.
+/// All contacts between some bodies of a scene, over the surfaces of those that they name.
 ///
 /// # Errors
 /// [`SceneError`] for bodies that stand in each other at the start.
-pub(super) fn contacts(
+pub(in crate::bodies) fn contacts(
     scene: &Scene,
-    layout: &Layout,
+    names: &[String],
     sides: &[Side],
 ) -> Result<Vec<TouchingBodies>, SceneError> {
     let marches = matches!(scene.analysis, Analysis::Explicit(_));
     let mut all = Vec::new();
     for (number, own) in scene.contact.iter().enumerate() {
-        let Some(between) = &own.between else { continue };
+        let Some(between) = own.pair() else { continue };
         let rounding = own.rounding.map_or(if marches { ROUNDED } else { 0.0 }, |rounding| rounding.get());
         let Some(law) = Law::new(rounding) else { continue };
         let side = |name: &String| {
-            let body = layout.names.iter().position(|known| known == name)?;
+            let body = names.iter().position(|known| known == name)?;
             Some(Side { body, ..sides.iter().find(|side| side.name == *name)?.clone() })
         };
         let [Some(a), Some(b)] = [side(&between[0]), side(&between[1])] else { continue };
         let factor = own.stiffness.map_or(1.0, |factor| factor.get());
         let friction = own.friction.map_or(0.0, |friction| friction.get());
         let manner = Manner { law, factor, edges: marches, friction };
-        let mut contact = TouchingBodies::new([a, b], layout.names.len(), manner);
+        let mut contact = TouchingBodies::new([a, b], names.len(), manner);
         refuse_depth(scene, number, &mut contact)?;
         all.push(contact);
     }

@@ -5,6 +5,7 @@ use crate::scene::contact::ContactScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::solid::SolidScene;
+use crate::scene::walls::WallGeometry;
 
 /// Refuses contacts of bodies without a surface, pairs that are named twice, and analyses that know none.
 pub(super) fn check_contact(scene: &Scene) -> Verdict {
@@ -12,9 +13,10 @@ pub(super) fn check_contact(scene: &Scene) -> Verdict {
         return Ok(());
     }
     for (number, own) in scene.contact.iter().enumerate() {
-        match &own.between {
-            Some(between) => check_pair(scene, number, between)?,
-            None => check_itself(scene, number)?,
+        match (&own.between, own.pair()) {
+            (Some(_), Some(pair)) => check_pair(scene, number, pair)?,
+            (Some([name, _]), None) => check_one(scene, number, name)?,
+            (None, _) => check_itself(scene, number)?,
         }
     }
     let kind = scene.analysis.kind();
@@ -30,8 +32,7 @@ pub(super) fn check_contact(scene: &Scene) -> Verdict {
 fn check_itself(scene: &Scene, number: usize) -> Verdict {
     let path = format!("contact[{number}]");
     if scene.is_together() {
-        let (value, bound) =
-            ("nothing", "two bodies of the scene: shells touch themselves where they are alone");
+        let (value, bound) = ("nothing", "two bodies of the scene, or one twice that touches itself");
         let repair = "add between = [\"…\", \"…\"], or leave the contact out";
         return refuse(scene, &format!("{path}.between"), value, bound, repair);
     }
@@ -46,17 +47,28 @@ fn check_itself(scene: &Scene, number: usize) -> Verdict {
     Ok(())
 }
 
-/// Two bodies of a scene without a fluid, each pair once.
+/// One of several bodies with itself: a shell, once.
+fn check_one(scene: &Scene, number: usize, name: &str) -> Verdict {
+    let path = format!("contact[{number}].between");
+    let value = format!("\"{name}\" with itself");
+    if !matches!(scene.bodies.get(name), Some(BodyScene::Shell(_))) {
+        let bound = "two bodies, or a shell twice, which touches itself";
+        return refuse(scene, &path, &value, bound, "name another body");
+    }
+    if let Some(first) = scene.contact[..number].iter().position(|other| other.is_of_itself(name)) {
+        let bound = format!("named once: contact[{first}] is of the same shell");
+        return refuse(scene, &path, &value, &bound, "remove one of them");
+    }
+    Ok(())
+}
+
+/// Two bodies of a scene, each pair once.
 fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     let path = format!("contact[{number}].between");
     let named = format!("\"{}\" and \"{}\"", between[0], between[1]);
-    if scene.fluid().is_some() {
-        let repair = "leave it out, or leave the fluid out";
-        return refuse(scene, &path, &named, "of a scene without a fluid", repair);
-    }
     for name in between {
         let bound = match scene.bodies.get(name) {
-            Some(BodyScene::Shell(_) | BodyScene::Rigid(_)) => continue,
+            Some(BodyScene::Shell(_) | BodyScene::Rigid(_) | BodyScene::Walls(_)) => continue,
             Some(BodyScene::Solid(solid)) => match without_surface(solid) {
                 None => continue,
                 Some(bound) => bound,
@@ -72,10 +84,6 @@ fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
         let repair = format!("name two of {}", known.collect::<Vec<_>>().join(", "));
         return refuse(scene, &path, &format!("\"{name}\""), bound, &repair);
     }
-    if between[0] == between[1] {
-        let bound = "two bodies: one touches itself where it is alone, by [[contact]] without `between`";
-        return refuse(scene, &path, &named, bound, "name another body");
-    }
     if between.iter().all(|name| matches!(scene.bodies.get(name), Some(BodyScene::Rigid(_)))) {
         let bound = "a body that gives way beside a rigid one: two rigid ones have no stiffness of contact";
         return refuse(
@@ -86,13 +94,42 @@ fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
             "name a shell or a solid for one of them, or leave the contact out",
         );
     }
+    check_walls(scene, number, between)?;
     check_unmeasured(scene, number, between)?;
-    let same = |other: &ContactScene| {
-        other.between.as_ref().is_some_and(|other| between.iter().all(|name| other.contains(name)))
-    };
+    let same = |other: &ContactScene| other.other(&between[0]) == Some(&between[1]);
     if let Some(first) = scene.contact[..number].iter().position(same) {
         let bound = format!("named once: contact[{first}] is of the same two");
         return refuse(scene, &path, &named, &bound, "remove one of them");
+    }
+    Ok(())
+}
+
+/// Walls are tools of a shell: basins and blocks, which stand or move without turning.
+fn check_walls(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
+    let path = format!("contact[{number}].between");
+    for (name, other) in [(&between[0], &between[1]), (&between[1], &between[0])] {
+        let Some(BodyScene::Walls(walls)) = scene.bodies.get(name) else { continue };
+        let Some(BodyScene::Shell(shell)) = scene.bodies.get(other) else {
+            let bound = format!("a shell beside the walls `{name}`: other bodies do not touch walls");
+            let repair = "name a shell, or leave the contact out";
+            return refuse(scene, &path, &format!("\"{other}\""), &bound, repair);
+        };
+        if !matches!(walls.geometry, WallGeometry::Basin(_) | WallGeometry::Block(_)) {
+            let bound = "walls that are a `basin` or a `block`, whose faces are known exactly";
+            let repair = "give the shell [[bodies.NAME.shell.tools]] of the same shape";
+            return refuse(scene, &path, &format!("\"{name}\""), bound, repair);
+        }
+        if walls.motion.as_ref().is_some_and(|motion| motion.rotation.is_some()) {
+            let bound = "walls that stand, or move without turning";
+            let repair = "leave the rotation out, or the contact";
+            return refuse(scene, &path, &format!("\"{name}\", which turns"), bound, repair);
+        }
+        if shell.orientation.is_some() {
+            let bound =
+                format!("a shell without `orientation` beside the walls `{name}`, which lie along the axes");
+            let repair = "give the shell its place by `placed`";
+            return refuse(scene, &path, &format!("\"{other}\""), &bound, repair);
+        }
     }
     Ok(())
 }
@@ -107,7 +144,8 @@ fn check_unmeasured(scene: &Scene, number: usize, between: &[String; 2]) -> Verd
             let bound = "a shell, a Galerkin solid or a rigid body at rest: contact of bonds was measured in marches alone";
             return refuse(scene, &path, &format!("\"{name}\""), bound, "march it, by [analysis.explicit]");
         }
-        let friction = scene.contact[number].friction.filter(|_| !matches!(body, BodyScene::Shell(_)));
+        let rubs = |body: &BodyScene| matches!(body, BodyScene::Shell(_) | BodyScene::Walls(_));
+        let friction = scene.contact[number].friction.filter(|_| !rubs(body));
         if let Some(friction) = friction {
             let path = format!("contact[{number}].friction");
             let bound =

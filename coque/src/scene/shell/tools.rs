@@ -21,6 +21,8 @@ pub struct ToolScene {
     pub cylinder: Option<ToolCylinder>,
     /// A cylinder with round ends.
     pub capsule: Option<ToolCapsule>,
+    /// A box along the axes.
+    pub block: Option<ToolBlock>,
     /// How far it has moved at level one \[L\]; left out, it stands.
     pub moved: Option<[f64; 3]>,
     /// Angle by which it has turned about its axis at level one, of a plane about its normal through its point, of a capsule from the first of
@@ -80,6 +82,16 @@ pub struct ToolCapsule {
     pub radius: Positive,
 }
 
+/// A box along the axes of space.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolBlock {
+    /// Its least coordinates \[L\].
+    pub min: [f64; 3],
+    /// Its greatest coordinates \[L\].
+    pub max: [f64; 3],
+}
+
 impl ToolScene {
     /// Whether it moves or turns.
     pub(crate) fn is_driven(&self) -> bool {
@@ -91,13 +103,20 @@ impl ToolScene {
         self.friction.is_some_and(|friction| friction.get() > 0.0)
     }
 
+    /// What it says of a turn where it has no axis.
+    pub(crate) fn without_axis(&self) -> Option<&'static str> {
+        let ball = self.sphere.map(|_| "none of a ball, which has no axis");
+        ball.or(self.block.map(|_| "none of a block, which lies along the axes"))
+    }
+
     /// Keys of the shapes.
-    pub(crate) const SHAPES: [&'static str; 4] = ["plane", "sphere", "cylinder", "capsule"];
+    pub(crate) const SHAPES: [&'static str; 5] = ["plane", "sphere", "cylinder", "capsule", "block"];
 
     /// Shapes that are given; a checked scene has exactly one.
     pub(crate) fn given(&self) -> Vec<&'static str> {
-        let given =
-            [self.plane.is_some(), self.sphere.is_some(), self.cylinder.is_some(), self.capsule.is_some()];
+        let ToolScene { plane, sphere, cylinder, capsule, block, .. } = self;
+        let round = [sphere.is_some(), cylinder.is_some(), capsule.is_some()];
+        let given = [plane.is_some()].into_iter().chain(round).chain([block.is_some()]);
         Self::SHAPES.into_iter().zip(given).filter_map(|(word, given)| given.then_some(word)).collect()
     }
 }

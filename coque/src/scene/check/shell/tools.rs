@@ -9,7 +9,7 @@ use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::tools::ToolScene;
 
-/// Refuses tools without a shape or of several, of one name, without directions, in analyses that know no contact, and in fluids.
+/// Refuses tools without a shape or of several, of one name, without directions, and in analyses that know no contact.
 pub(in crate::scene::check) fn check_tools(
     scene: &BodyInScene<'_>,
     shell: &ShellScene,
@@ -26,9 +26,6 @@ pub(in crate::scene::check) fn check_tools(
         let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
         return refuse(format!("none in {}, in which nothing opens or closes", kind.name), repair);
     }
-    if scene.in_fluid {
-        return refuse("none in a fluid".into(), "leave them out");
-    }
     let mut names = BTreeSet::new();
     for (i, tool) in shell.tools.iter().enumerate() {
         let own = s.below(&format!("tools[{i}]"));
@@ -43,6 +40,7 @@ pub(in crate::scene::check) fn check_tools(
         }
         s.exactly_one(&format!("tools[{i}]"), "shape", &tool.given(), &ToolScene::SHAPES)?;
         check_shape(tool, &own)?;
+        check_block(tool, shell, &own)?;
         if let Some(moved) = &tool.moved {
             own.sized_all("moved", moved)?;
         }
@@ -63,11 +61,30 @@ fn check_turn(tool: &ToolScene, s: &Scope<'_>) -> Verdict {
     let Some(angle) = tool.turn else { return Ok(()) };
     s.sized("turn", angle)?;
     let refuse = |bound, repair| Err(SceneError::Choice(s.fault("turn", "a turn", bound, repair)));
-    if tool.sphere.is_some() {
-        return refuse("none of a ball, which has no axis", "use a capsule or a cylinder");
+    if let Some(bound) = tool.without_axis() {
+        return refuse(bound, "use a capsule or a cylinder");
     }
     if !tool.is_rough() {
         return refuse("none of a smooth tool, whose turn nothing feels", "add `friction`, or remove it");
+    }
+    Ok(())
+}
+
+/// Refuses a block without room inside, and one beside a shell that is turned, whose axes are not those of the block.
+fn check_block(tool: &ToolScene, shell: &ShellScene, s: &Scope<'_>) -> Verdict {
+    let Some(block) = &tool.block else { return Ok(()) };
+    for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+        let (min, max) = (block.min[k], block.max[k]);
+        // What is no number is above nothing.
+        if max.partial_cmp(&min) != Some(std::cmp::Ordering::Greater) {
+            let bound = format!("above {min}, the least {axis}");
+            return Err(s.value(&format!("block.max[{k}]"), max, &bound, "exchange the two, or move one"));
+        }
+    }
+    if shell.orientation.is_some() {
+        let bound = "none beside an `orientation`: a block lies along the axes of space";
+        let fault = s.fault("block", "a block", bound, "give the shell its place by `placed`");
+        return Err(SceneError::Choice(fault));
     }
     Ok(())
 }

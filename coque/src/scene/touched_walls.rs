@@ -1,0 +1,72 @@
+//! Walls of a fluid that a shell touches: the same faces as tools of the shell.
+
+use super::contact::ContactScene;
+use super::problem::{BodyScene, Scene};
+use super::sets::OF_WALLS;
+use super::shell::tools::{ToolBlock, ToolPlane, ToolScene};
+use super::walls::{WallGeometry, WallsScene};
+use crate::scene::bounded::numbers;
+
+impl Scene {
+    /// Gives each shell the faces of the walls that it touches, as tools by the name of the walls; those it has already stay.
+    pub(super) fn touch_walls(&mut self) {
+        let mut found: Vec<(String, ToolScene)> = Vec::new();
+        for own in &self.contact {
+            let Some([a, b]) = own.pair() else { continue };
+            for (shell, walls) in [(a, b), (b, a)] {
+                if let Some(BodyScene::Walls(scene)) = self.bodies.get(walls) {
+                    found.extend(faces(walls, scene, own).into_iter().map(|tool| (shell.clone(), tool)));
+                }
+            }
+        }
+        for (name, tool) in found {
+            let Some(BodyScene::Shell(shell)) = self.bodies.get_mut(&name) else { continue };
+            if shell.tools.iter().all(|known| known.name != tool.name) {
+                shell.tools.push(tool);
+            }
+        }
+    }
+}
+
+/// The faces of walls: of a basin half spaces behind its sides, of a block the box itself, in a plane fluid without ends across.
+fn faces(name: &str, walls: &WallsScene, own: &ContactScene) -> Vec<ToolScene> {
+    let translation = walls.motion.as_ref().and_then(|motion| motion.translation.as_ref());
+    let tool = |name: String| ToolScene {
+        name,
+        plane: None,
+        sphere: None,
+        cylinder: None,
+        capsule: None,
+        block: None,
+        moved: translation.map(|translation| translation.by),
+        turn: None,
+        amplitude: translation.map(|translation| translation.amplitude.clone()),
+        friction: own.friction,
+        stiffness: own.stiffness,
+        rounding: own.rounding,
+    };
+    match &walls.geometry {
+        WallGeometry::Basin(basin) => {
+            let sides = (0..2 * basin.min.len())
+                .filter(|side| !basin.open.iter().any(|open| open == OF_WALLS[side + 1]));
+            let side = |side: usize| {
+                let axis = side / 2;
+                let (mut point, mut normal) = ([0.0; 3], [0.0; 3]);
+                (point[axis], normal[axis]) =
+                    if side % 2 == 0 { (basin.min[axis], 1.0) } else { (basin.max[axis], -1.0) };
+                let plane = Some(ToolPlane { point, normal });
+                ToolScene { plane, ..tool(format!("{name}.{}", OF_WALLS[side + 1])) }
+            };
+            sides.map(side).collect()
+        }
+        WallGeometry::Block(block) => {
+            let (mut min, mut max) = ([f64::NEG_INFINITY; 3], [f64::INFINITY; 3]);
+            for (k, length) in numbers(&block.lengths).into_iter().enumerate() {
+                min[k] = block.origin.as_ref().map_or(0.0, |origin| origin[k]);
+                max[k] = min[k] + length;
+            }
+            vec![ToolScene { block: Some(ToolBlock { min, max }), ..tool(name.into()) }]
+        }
+        WallGeometry::Polyline(_) | WallGeometry::Surface(_) => Vec::new(),
+    }
+}
