@@ -79,8 +79,8 @@ impl Loose<'_> {
             let contact = &self.scene.scene.contact;
             contact.iter().any(|own| own.other(body.view.name) == Some(self.scene.name))
         };
-        let felt = walls.iter().filter(|body| !touched(body));
-        let nearest = felt.filter_map(|body| Some((body.view.name, wall(body, &mut below)?)));
+        let acting = walls.iter().filter(|body| !touched(body));
+        let nearest = acting.filter_map(|body| Some((body.view.name, wall(body, &mut below)?)));
         let (wall, way) = nearest.min_by(|a, b| a.1.total_cmp(&b.1))?;
         // Faces lie half a spacing before the first row.
         let way = way - 0.5 * wanted.geometry.spacing();
