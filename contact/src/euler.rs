@@ -15,6 +15,9 @@ use sph_core::Vec3;
 use crate::mesh::Mesh;
 use crate::nearest::{Part, on_segment, on_triangle};
 
+/// Near faces whose parts are counted without sorting them.
+const FEW: usize = 8;
+
 /// A part of a surface, by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Feature {
@@ -58,13 +61,8 @@ impl Touched {
                 self.near.push(face);
             }
         }
-        if let (&[face], &[(Feature::Face(_), _)]) = (&self.near[..], &self.terms[..])
-            && alone(point, mesh.faces()[face as usize].map(&at), reach)
-        {
-            return;
-        }
-        // Particles without faces share nothing that would count twice.
-        if self.near.is_empty() || mesh.is_of_points() {
+        // Edges and corners of one face count nothing beside it; particles without faces share none.
+        if self.near.len() < 2 || mesh.is_of_points() {
             return;
         }
         self.count(mesh);
@@ -110,13 +108,21 @@ impl Touched {
 
     /// Edges and corners of the near faces. Whatever of them is itself near has all of its faces among these.
     fn count(&mut self, mesh: &Mesh) {
-        self.edges.clear();
-        self.corners.clear();
-        for &face in &self.near {
-            self.edges.extend(mesh.sides()[face as usize].map(|edge| (edge, 1)));
-            self.corners.extend(mesh.faces()[face as usize].map(|corner| (corner, 1)));
+        let Self { near, edges, corners, .. } = self;
+        edges.clear();
+        corners.clear();
+        if near.len() <= FEW {
+            for &face in near.iter() {
+                mesh.sides()[face as usize].iter().for_each(|&edge| tally(edges, edge));
+                mesh.faces()[face as usize].iter().for_each(|&corner| tally(corners, corner));
+            }
+            return;
         }
-        for list in [&mut self.edges, &mut self.corners] {
+        for &face in near.iter() {
+            edges.extend(mesh.sides()[face as usize].map(|edge| (edge, 1)));
+            corners.extend(mesh.faces()[face as usize].map(|corner| (corner, 1)));
+        }
+        for list in [edges, corners] {
             list.sort_unstable();
             list.dedup_by(|next, kept| {
                 let same = next.0 == kept.0;
@@ -129,9 +135,12 @@ impl Touched {
     }
 }
 
-/// Whether a point over the inside of a face is farther than a reach from its sides: nothing but the face counts then.
-fn alone(point: &Vec3, corners: [Vec3; 3], reach: f64) -> bool {
-    (0..3).all(|i| on_segment(point, [corners[i], corners[(i + 1) % 3]]).1 >= reach)
+/// Counts a part once more.
+fn tally(list: &mut Vec<(u32, i32)>, part: u32) {
+    match list.iter_mut().find(|(own, _)| *own == part) {
+        Some((_, count)) => *count += 1,
+        None => list.push((part, 1)),
+    }
 }
 
 #[cfg(test)]

@@ -12,6 +12,8 @@ pub(crate) struct List {
     partners: Vec<u32>,
     /// Gap of each partner when it was listed \[L\].
     gaps: Vec<f64>,
+    /// Least of all gaps, where anything is listed \[L\].
+    least: f64,
 }
 
 /// A part with partners near.
@@ -127,6 +129,11 @@ impl List {
         self.entries.is_empty()
     }
 
+    /// Least gap of all \[L\]; infinite where nothing is near.
+    pub fn least_gap(&self) -> f64 {
+        if self.is_empty() { f64::INFINITY } else { self.least }
+    }
+
     /// Every part with each of its partners.
     pub fn pairs(&self) -> impl Iterator<Item = (u32, u32)> {
         self.after(f64::INFINITY).flat_map(|(part, partners)| partners.map(move |partner| (part, partner)))
@@ -141,6 +148,7 @@ impl List {
         self.entries.clear();
         self.partners.clear();
         self.gaps.clear();
+        self.least = f64::INFINITY;
     }
 
     fn add(&mut self, partner: u32, gap: f64) {
@@ -154,6 +162,7 @@ impl List {
         if end > first {
             let gap = self.gaps[first as usize..].iter().copied().fold(f64::INFINITY, f64::min);
             self.entries.push(Entry { part, first, end, gap });
+            self.least = self.least.min(gap);
         }
     }
 }

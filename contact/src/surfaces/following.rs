@@ -66,8 +66,48 @@ impl SurfaceContact {
         }
     }
 
+    /// Least gap of all that is listed, as it was when it was \[L\]; infinite where nothing is.
+    pub(super) fn least_gap(&self) -> f64 {
+        self.passes.iter().map(|pass| pass.list.least_gap()).fold(self.crossings.least_gap(), f64::min)
+    }
+
+    /// Puts the vertices that lists name where nodes are now.
+    pub(super) fn put_places(&mut self, at: impl Fn(Node) -> Vec3) {
+        for (body, (involved, places)) in self.involved.iter().zip(&mut self.places).enumerate() {
+            let vertices = self.meshes[body].surface().vertices();
+            for &v in involved {
+                places[v as usize] = vertices[v as usize].place(|a| at((body, a)));
+            }
+        }
+    }
+
     /// Makes lists where nodes are now.
     pub fn list(&mut self, at: impl Fn(Node) -> Vec3) {
+        self.list_near(at);
+        let Self { meshes, passes, crossings, involved, .. } = self;
+        let last = meshes.len() - 1;
+        let mut named: Vec<Vec<bool>> =
+            meshes.iter().map(|mesh| vec![false; mesh.surface().vertices().len()]).collect();
+        for pass in passes.iter() {
+            for (vertex, face) in pass.list.pairs() {
+                named[pass.of][vertex as usize] = true;
+                meshes[pass.on].faces()[face as usize]
+                    .iter()
+                    .for_each(|&v| named[pass.on][v as usize] = true);
+            }
+        }
+        for (edge, partner) in crossings.pairs() {
+            meshes[0].edges()[edge as usize].iter().for_each(|&v| named[0][v as usize] = true);
+            meshes[last].edges()[partner as usize].iter().for_each(|&v| named[last][v as usize] = true);
+        }
+        involved.resize(meshes.len(), Vec::new());
+        for (involved, named) in involved.iter_mut().zip(&named) {
+            involved.clear();
+            involved.extend((0..).zip(named).filter(|(_, named)| **named).map(|(v, _): (u32, _)| v));
+        }
+    }
+
+    fn list_near(&mut self, at: impl Fn(Node) -> Vec3) {
         let Self { meshes, touching, passes, near, crossings, listed, places, lists, way, .. } = self;
         (*way, *lists) = (0.0, *lists + 1);
         listed.resize(meshes.len(), Vec::new());
