@@ -40,6 +40,11 @@ pub(crate) struct Crossing {
 /// Square of the sine from which the lines of two edges have a distance that rounding does not blur.
 const CLEARLY: f64 = 1e-6;
 
+/// Distance from which two edges push where faces touch at a distance \[L\].
+pub(crate) fn of_edges(distance: f64, both_rims: bool) -> f64 {
+    if both_rims { distance } else { 0.5 * distance }
+}
+
 /// Whether the lines of two edges may be within a distance \[L\] of each other: edges are no nearer than these, so most that are far need no more.
 pub(crate) fn near_lines([a, b]: [Vec3; 2], [c, d]: [Vec3; 2], within: f64) -> bool {
     let (e, f) = (b - a, d - c);

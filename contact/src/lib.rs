@@ -68,7 +68,7 @@
 //! | distance of a point or an edge from a feature, with its derivatives | `pair.rs`, `nearest.rs` |
 //! | faces and edges, what lies near along a surface | `mesh.rs` |
 //! | which features a point touches, how often each counts | `euler.rs` |
-//! | what may touch while nothing moves far | `list.rs`, `surfaces/following.rs` |
+//! | what may touch while nothing moves far | `list.rs`, `surfaces/following.rs`; which patches are near `patches.rs` |
 //! | how far nodes may go at once | `surfaces/reaching.rs` |
 //! | edges that cross between vertices | `edges.rs` |
 //! | two surfaces, or one with itself; forces, tangent, bounds of them | `surfaces.rs`; `surfaces/acting.rs` |
@@ -110,6 +110,7 @@ mod nearest;
 mod nodal;
 mod pace;
 mod pair;
+mod patches;
 mod pose;
 mod stiffness;
 mod surface;

@@ -8,12 +8,13 @@ mod rubbing;
 
 use sph_core::Vec3;
 
-use crate::edges::{Crossing, crossing, near_lines};
+use crate::edges::{Crossing, crossing, near_lines, of_edges};
 use crate::euler::{Feature, Touched};
 use crate::law::Law;
 use crate::list::List;
 use crate::mesh::{Mesh, Neighbours};
 use crate::pair::Pair;
+use crate::patches::Patches;
 use rubbing::Rubbing;
 
 /// Reach along the surface over the contact distance within which parts of one surface never touch.
@@ -45,6 +46,7 @@ pub struct Touching {
 #[derive(Clone, Debug)]
 pub struct SurfaceContact {
     meshes: Vec<Mesh>,
+    patches: Vec<Patches>,
     touching: Touching,
     passes: Vec<Pass>,
     /// Parts near each other at rest, of a surface with itself.
@@ -163,6 +165,7 @@ impl SurfaceContact {
         Self {
             lengths: meshes.iter().zip(rest).map(length).collect(),
             of_edges: 2.0 * touching.stiffness * areas[0] * areas[1] / (areas[0] + areas[1]),
+            patches: meshes.iter().map(Patches::new).collect(),
             meshes,
             touching,
             passes,
@@ -252,7 +255,8 @@ impl SurfaceContact {
 
     /// Finds which edges push; their energy \[F L\].
     fn cross(&mut self) -> f64 {
-        let Self { meshes, crossings, lengths, of_edges, pushed, places, way, touching, .. } = self;
+        let Self { meshes, crossings, lengths, of_edges: stiffness, pushed, places, way, touching, .. } =
+            self;
         let last = meshes.len() - 1;
         let [own, other] = [0, last].map(|body| (&meshes[body], &places[body][..]));
         let ends = |(mesh, places): (&Mesh, &[Vec3]), edge: u32| {
@@ -260,16 +264,15 @@ impl SurfaceContact {
         };
         let mut sum = 0.0;
         for (edge, partners) in crossings.after(*way) {
-            let [a, b] = ends(own, edge);
+            let ([a, b], rim) = (ends(own, edge), own.0.is_rim(edge as usize));
             for partner in partners {
                 let [c, d] = ends(other, partner);
-                let within =
-                    reach_of_edges(meshes, touching.distance, [edge, partner].map(|edge| edge as usize));
+                let within = of_edges(touching.distance, rim && other.0.is_rim(partner as usize));
                 if !near_lines([a, b], [c, d], within) {
                     continue;
                 }
                 let rest = lengths[0][edge as usize] * lengths[last][partner as usize];
-                if let Some(crossing) = crossing([a, b, c, d], within, *of_edges, rest) {
+                if let Some(crossing) = crossing([a, b, c, d], within, *stiffness, rest) {
                     sum += crossing.energy;
                     pushed.push(Pushed { edges: [edge, partner], crossing, within });
                 }
@@ -289,15 +292,10 @@ impl SurfaceContact {
         lists
             + places
             + self.meshes.iter().map(mesh).sum::<usize>()
+            + self.patches.iter().map(Patches::bytes).sum::<usize>()
             + self.near.as_ref().map_or(0, Neighbours::bytes)
             + self.rubbing_bytes()
     }
-}
-
-/// Distance from which two edges push \[L\].
-fn reach_of_edges(meshes: &[Mesh], distance: f64, [edge, partner]: [usize; 2]) -> f64 {
-    let both = meshes[0].is_rim(edge) && meshes[meshes.len() - 1].is_rim(partner);
-    if both { distance } else { 0.5 * distance }
 }
 
 /// Vertices of a feature and how many they are.

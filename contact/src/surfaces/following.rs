@@ -2,9 +2,10 @@
 
 use sph_core::Vec3;
 
-use super::{Node, SurfaceContact, reach_of_edges};
+use super::{Node, SurfaceContact};
 use crate::list::Range;
 use crate::mesh::Mesh;
+use crate::patches::{Marks, Spread};
 
 impl SurfaceContact {
     /// How many lists were made.
@@ -108,7 +109,8 @@ impl SurfaceContact {
     }
 
     fn list_near(&mut self, at: impl Fn(Node) -> Vec3) {
-        let Self { meshes, touching, passes, near, crossings, listed, places, lists, way, .. } = self;
+        let Self { meshes, patches, touching, passes, near, crossings, listed, places, lists, way, .. } =
+            self;
         (*way, *lists) = (0.0, *lists + 1);
         listed.resize(meshes.len(), Vec::new());
         places.resize(meshes.len(), Vec::new());
@@ -119,25 +121,24 @@ impl SurfaceContact {
             listed[body].clear();
             listed[body].extend(mesh.nodes().map(|a| at((body, a))));
         }
+        let edges = touching.edges && !meshes.iter().any(Mesh::is_of_points);
+        let range = Range { distance: touching.distance, skin: touching.skin };
+        let spread = |body: usize| Spread::new(&meshes[body], &patches[body], &places[body]);
+        let spreads: Vec<Spread<'_>> = (0..meshes.len()).map(spread).collect();
+        crossings.clear();
         for pass in passes.iter_mut() {
-            let allowed =
-                |vertex: u32, corners: &[u32; 3]| near.as_ref().is_none_or(|near| !near.any(vertex, corners));
-            let range = Range { allowed, distance: touching.distance, skin: touching.skin };
-            pass.list.faces(&places[pass.of], &meshes[pass.on], &places[pass.on], &range);
+            let (own, other) = (&spreads[pass.of], &spreads[pass.on]);
+            let mut marks = Marks::new(near.as_ref(), other.places.len());
+            pass.list.clear();
+            own.each_near(other, range.distance + range.skin, |patch, near| {
+                pass.list.add_faces((own, patch), (other, near), range, &mut marks);
+                if edges && pass.of == 0 {
+                    crossings.add_edges((own, patch), (other, near), range, &mut marks);
+                }
+            });
+            pass.list.sort();
         }
-        if !touching.edges || meshes.iter().any(Mesh::is_of_points) {
-            return;
-        }
-        let last = meshes.len() - 1;
-        let allowed = |edge: usize, partner: usize| {
-            let (own, other) = (meshes[0].edges()[edge], meshes[last].edges()[partner]);
-            near.as_ref().is_none_or(|near| own.iter().all(|&end| !near.any(end, &other)))
-        };
-        let distance =
-            |edge: usize, partner: usize| reach_of_edges(meshes, touching.distance, [edge, partner]);
-        let range = Range { allowed, distance, skin: touching.skin };
-        let sides = [0, last].map(|i| (&meshes[i], &places[i][..]));
-        crossings.edges(sides, last == 0, touching.distance, &range);
+        crossings.sort();
     }
 
     /// Greatest way of a node since the last list, the mean way taken out \[L\].
