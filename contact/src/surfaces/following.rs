@@ -35,10 +35,16 @@ impl SurfaceContact {
         }
     }
 
-    /// How far nodes may still come nearer to each other before anything is near enough to be listed \[L\]; none where something is.
+    /// How far nodes may still come nearer to each other before anything touches, or is near enough to be listed \[L\]; none where something may
+    /// touch now.
     pub fn left_alone(&self) -> Option<f64> {
-        let empty = self.passes.iter().all(|pass| pass.list.is_empty()) && self.crossings.is_empty();
-        empty.then_some(self.touching.skin - self.way)
+        let left = self.least_gap().min(self.touching.skin) - self.way;
+        (left > 0.0).then_some(left)
+    }
+
+    /// Whether nothing is near enough to be listed.
+    pub fn nothing_is_listed(&self) -> bool {
+        self.passes.iter().all(|pass| pass.list.is_empty()) && self.crossings.is_empty()
     }
 
     /// Makes the lists that were made where nodes were, body by body as [`SurfaceContact::listed`] has them; false, and nothing changed,
