@@ -65,27 +65,10 @@ impl Touched {
         if self.near.len() < 2 || mesh.is_of_points() {
             return;
         }
-        self.count(mesh);
-        for &(edge, faces) in &self.edges {
-            let ends = mesh.edges()[edge as usize];
-            if faces == 1 {
-                continue;
-            }
-            let (part, square) = on_segment(point, ends.map(&at));
-            if square < reach {
-                let feature = match part {
-                    Part::Corner(i) => Feature::Vertex(ends[i]),
-                    _ => Feature::Edge(edge),
-                };
-                self.terms.push((feature, 1 - faces));
-            }
-        }
-        for &(vertex, faces) in &self.corners {
-            let own = self.edges.iter().filter(|(edge, _)| mesh.edges()[*edge as usize].contains(&vertex));
-            let coefficient = 1 - faces - own.map(|(_, faces)| 1 - faces).sum::<i32>();
-            if coefficient != 0 && (point - at(vertex)).norm_squared() < reach {
-                self.terms.push((Feature::Vertex(vertex), coefficient));
-            }
+        match self.near[..] {
+            // Of two faces only what they share counts other than once.
+            [one, other] => self.share(mesh, [one, other], point, reach, &at),
+            _ => self.share_all(mesh, point, reach, &at),
         }
         self.terms.sort_unstable();
         self.terms.dedup_by(|next, kept| {
@@ -96,6 +79,65 @@ impl Touched {
             same
         });
         self.terms.retain(|(_, coefficient)| *coefficient != 0);
+    }
+
+    /// Adds what counts of an edge or a corner that two faces share, if it is near.
+    fn share(
+        &mut self,
+        mesh: &Mesh,
+        [one, other]: [u32; 2],
+        point: &Vec3,
+        reach: f64,
+        at: &impl Fn(u32) -> Vec3,
+    ) {
+        let others = mesh.sides()[other as usize];
+        if let Some(&edge) = mesh.sides()[one as usize].iter().find(|edge| others.contains(edge)) {
+            self.add_edge(mesh, edge, -1, point, reach, at);
+            return;
+        }
+        let others = mesh.faces()[other as usize];
+        let shared = mesh.faces()[one as usize].into_iter().find(|corner| others.contains(corner));
+        if let Some(vertex) = shared.filter(|&vertex| (point - at(vertex)).norm_squared() < reach) {
+            self.terms.push((Feature::Vertex(vertex), -1));
+        }
+    }
+
+    /// Adds an edge with a coefficient, if it is near.
+    fn add_edge(
+        &mut self,
+        mesh: &Mesh,
+        edge: u32,
+        coefficient: i32,
+        point: &Vec3,
+        reach: f64,
+        at: &impl Fn(u32) -> Vec3,
+    ) {
+        let ends = mesh.edges()[edge as usize];
+        let (part, square) = on_segment(point, ends.map(at));
+        if square < reach {
+            let feature = match part {
+                Part::Corner(i) => Feature::Vertex(ends[i]),
+                _ => Feature::Edge(edge),
+            };
+            self.terms.push((feature, coefficient));
+        }
+    }
+
+    /// Adds what counts of all edges and corners of near faces.
+    fn share_all(&mut self, mesh: &Mesh, point: &Vec3, reach: f64, at: &impl Fn(u32) -> Vec3) {
+        self.count(mesh);
+        let edges = std::mem::take(&mut self.edges);
+        for &(edge, faces) in edges.iter().filter(|(_, faces)| *faces != 1) {
+            self.add_edge(mesh, edge, 1 - faces, point, reach, at);
+        }
+        for &(vertex, faces) in &self.corners {
+            let own = edges.iter().filter(|(edge, _)| mesh.edges()[*edge as usize].contains(&vertex));
+            let coefficient = 1 - faces - own.map(|(_, faces)| 1 - faces).sum::<i32>();
+            if coefficient != 0 && (point - at(vertex)).norm_squared() < reach {
+                self.terms.push((Feature::Vertex(vertex), coefficient));
+            }
+        }
+        self.edges = edges;
     }
 
     fn of_face(mesh: &Mesh, face: u32, part: Part) -> Feature {

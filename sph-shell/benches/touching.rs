@@ -23,7 +23,8 @@ fn sheets(distance: f64) -> Cloud {
     let (mut places, mut cells) = (Vec::new(), Vec::new());
     for (shift, height) in [(0.0, 0.0), (0.3, distance)] {
         let first = places.len() as u32;
-        let place = |a: u32| Vec3::new(f64::from(a % SIDE) + shift, f64::from(a / SIDE) + shift, height);
+        let place =
+            |a: u32| Vec3::new(f64::from(a % SIDE) + shift, f64::from(a / SIDE) + 0.57 * shift, height);
         places.extend((0..SIDE * SIDE).map(place));
         let cell = |a: u32| Cell::quadrangle([a, a + 1, a + SIDE + 1, a + SIDE].map(|a| a + first));
         cells.extend((0..SIDE * (SIDE - 1)).filter(|a| a % SIDE < SIDE - 1).map(cell));
