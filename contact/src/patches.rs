@@ -219,3 +219,98 @@ impl<'a> Marks<'a> {
         self.near.is_some() && vertices.iter().any(|&vertex| self.marks[vertex as usize] == self.now)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::edges::of_edges;
+    use crate::list::{List, Range};
+    use crate::nearest::{of_segments, on_triangle};
+    use sph_core::Cell;
+
+    fn number(seed: usize) -> f64 {
+        let x = libm::sin(12.9898 * seed as f64 + 4.1) * 43758.5453;
+        x - libm::floor(x)
+    }
+
+    /// A rugged sheet of squares and triangles of a size, some of which are left out.
+    fn sheet(seed: usize, size: f64, up: f64) -> (Mesh, Vec<Vec3>) {
+        const N: u32 = 9;
+        let off = |a: u32, k: usize| 0.6 * (number(seed + 3 * a as usize + k) - 0.5);
+        let place = |a: u32| {
+            Vec3::new(f64::from(a % N) + off(a, 0), f64::from(a / N) + off(a, 1), up + off(a, 2)) * size
+        };
+        let nodes: Vec<Vec3> = (0..N * N).map(place).collect();
+        let cell = |a: u32| {
+            let kind = number(seed + 1000 + a as usize);
+            let whole = Cell { corners: [a, a + 1, a + 1 + N, a + N], count: 4 };
+            let half = Cell { corners: [a, a + 1, a + N, a + N], count: 3 };
+            if kind > 0.4 { Some(whole) } else { (kind > 0.2).then_some(half) }
+        };
+        let cells: Vec<Cell> = (0..N * (N - 1)).filter(|a| a % N < N - 1).filter_map(cell).collect();
+        let mesh = Mesh::new(&cells, &nodes, |_| 0.1);
+        let vertices = 0..mesh.surface().vertices().len() as u32;
+        let places = vertices.map(|v| mesh.place(v, |a| nodes[a as usize])).collect();
+        (mesh, places)
+    }
+
+    fn listed(list: &List) -> Vec<(u32, u32)> {
+        list.pairs().collect()
+    }
+
+    /// Against all pairs, of two sheets of unlike cells and of one with itself, near and far.
+    #[test]
+    fn lists_by_patches_hold_what_all_pairs_do() {
+        let mut held = [0, 0];
+        for seed in 0..12 {
+            let (one, at_one) = sheet(7 * seed, 1.0, 0.0);
+            let (other, at_other) = sheet(11 * seed + 5, [0.4, 1.0, 2.3][seed % 3], 0.3);
+            let range = Range { distance: 0.2, skin: [0.1, 0.4, 1.5][seed / 4] };
+            let reach = range.distance + range.skin;
+            let patches = [&one, &other].map(Patches::new);
+            let spreads =
+                [Spread::new(&one, &patches[0], &at_one), Spread::new(&other, &patches[1], &at_other)];
+            let along = one.neighbours(&at_one, 0.5);
+            for (a, b) in [(0, 1), (1, 0), (0, 0)] {
+                let (own, against) = (&spreads[a], &spreads[b]);
+                let near = (a == b).then_some(&along);
+                let mut marks = Marks::new(near, against.places.len());
+                let (mut faces, mut edges) = (List::default(), List::default());
+                own.each_near(against, reach, |patch, near| {
+                    faces.add_faces((own, patch), (against, near), range, &mut marks);
+                    edges.add_edges((own, patch), (against, near), range, &mut marks);
+                });
+                faces.sort();
+                edges.sort();
+                let apart = |v: u32, corners: &[u32]| near.is_none_or(|near| !near.any(v, corners));
+                let mut expected = Vec::new();
+                for (v, point) in (0..).zip(own.places) {
+                    for (face, corners) in (0..).zip(against.mesh.faces()) {
+                        let (_, square) = on_triangle(point, corners.map(|v| against.places[v as usize]));
+                        if square < reach * reach && apart(v, corners) {
+                            expected.push((v, face));
+                        }
+                    }
+                }
+                assert_eq!(listed(&faces), expected, "{seed} {a} {b}");
+                held[0] += expected.len();
+                expected.clear();
+                let ends = |of: &Spread<'_>, ends: [u32; 2]| ends.map(|end| of.places[end as usize]);
+                for (edge, own_ends) in (0..).zip(own.mesh.edges()) {
+                    for (partner, others) in (0..).zip(against.mesh.edges()) {
+                        let rims = own.mesh.is_rim(edge as usize) && against.mesh.is_rim(partner as usize);
+                        let reach = of_edges(range.distance, rims) + range.skin;
+                        let (_, square) = of_segments(ends(own, *own_ends), ends(against, *others));
+                        let kept = square < reach * reach && (a != b || partner > edge);
+                        if kept && own_ends.iter().all(|&end| apart(end, others)) {
+                            expected.push((edge, partner));
+                        }
+                    }
+                }
+                assert_eq!(listed(&edges), expected, "{seed} {a} {b}");
+                held[1] += expected.len();
+            }
+        }
+        assert!(held.iter().all(|held| *held > 1000), "{held:?}");
+    }
+}
