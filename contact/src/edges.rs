@@ -37,6 +37,23 @@ pub(crate) struct Crossing {
     pub curvature: f64,
 }
 
+/// Square of the sine from which the lines of two edges have a distance that rounding does not blur.
+const CLEARLY: f64 = 1e-6;
+
+/// Distance from which two edges push where faces touch at a distance \[L\].
+pub(crate) fn of_edges(distance: f64, both_rims: bool) -> f64 {
+    if both_rims { distance } else { 0.5 * distance }
+}
+
+/// Whether the lines of two edges may be within a distance \[L\] of each other: edges are no nearer than these, so most that are far need no more.
+pub(crate) fn near_lines([a, b]: [Vec3; 2], [c, d]: [Vec3; 2], within: f64) -> bool {
+    let (e, f) = (b - a, d - c);
+    let across = e.cross(&f);
+    let (square, way) = (across.norm_squared(), across.dot(&(a - c)));
+    way * way <= (1.0 + CLEARLY) * within * within * square
+        || square < CLEARLY * e.norm_squared() * f.norm_squared()
+}
+
 /// Two edges of a stiffness \[F/L\] within a distance \[L\] of each other, with the product of the squares of their lengths at rest; none where they do not push.
 pub(crate) fn crossing([a, b, c, d]: [Vec3; 4], within: f64, stiffness: f64, rest: f64) -> Option<Crossing> {
     let ([s, t], square) = of_segments([a, b], [c, d]);

@@ -15,6 +15,9 @@ use sph_core::Vec3;
 use crate::mesh::Mesh;
 use crate::nearest::{Part, on_segment, on_triangle};
 
+/// Near faces whose parts are counted without sorting them.
+const FEW: usize = 8;
+
 /// A part of a surface, by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Feature {
@@ -58,36 +61,14 @@ impl Touched {
                 self.near.push(face);
             }
         }
-        if let (&[face], &[(Feature::Face(_), _)]) = (&self.near[..], &self.terms[..])
-            && alone(point, mesh.faces()[face as usize].map(&at), reach)
-        {
+        // Edges and corners of one face count nothing beside it; particles without faces share none.
+        if self.near.len() < 2 || mesh.is_of_points() {
             return;
         }
-        // Particles without faces share nothing that would count twice.
-        if self.near.is_empty() || mesh.is_of_points() {
-            return;
-        }
-        self.count(mesh);
-        for &(edge, faces) in &self.edges {
-            let ends = mesh.edges()[edge as usize];
-            if faces == 1 {
-                continue;
-            }
-            let (part, square) = on_segment(point, ends.map(&at));
-            if square < reach {
-                let feature = match part {
-                    Part::Corner(i) => Feature::Vertex(ends[i]),
-                    _ => Feature::Edge(edge),
-                };
-                self.terms.push((feature, 1 - faces));
-            }
-        }
-        for &(vertex, faces) in &self.corners {
-            let own = self.edges.iter().filter(|(edge, _)| mesh.edges()[*edge as usize].contains(&vertex));
-            let coefficient = 1 - faces - own.map(|(_, faces)| 1 - faces).sum::<i32>();
-            if coefficient != 0 && (point - at(vertex)).norm_squared() < reach {
-                self.terms.push((Feature::Vertex(vertex), coefficient));
-            }
+        match self.near[..] {
+            // Of two faces only what they share counts other than once.
+            [one, other] => self.share(mesh, [one, other], point, reach, &at),
+            _ => self.share_all(mesh, point, reach, &at),
         }
         self.terms.sort_unstable();
         self.terms.dedup_by(|next, kept| {
@@ -100,6 +81,65 @@ impl Touched {
         self.terms.retain(|(_, coefficient)| *coefficient != 0);
     }
 
+    /// Adds what counts of an edge or a corner that two faces share, if it is near.
+    fn share(
+        &mut self,
+        mesh: &Mesh,
+        [one, other]: [u32; 2],
+        point: &Vec3,
+        reach: f64,
+        at: &impl Fn(u32) -> Vec3,
+    ) {
+        let others = mesh.sides()[other as usize];
+        if let Some(&edge) = mesh.sides()[one as usize].iter().find(|edge| others.contains(edge)) {
+            self.add_edge(mesh, edge, -1, point, reach, at);
+            return;
+        }
+        let others = mesh.faces()[other as usize];
+        let shared = mesh.faces()[one as usize].into_iter().find(|corner| others.contains(corner));
+        if let Some(vertex) = shared.filter(|&vertex| (point - at(vertex)).norm_squared() < reach) {
+            self.terms.push((Feature::Vertex(vertex), -1));
+        }
+    }
+
+    /// Adds an edge with a coefficient, if it is near.
+    fn add_edge(
+        &mut self,
+        mesh: &Mesh,
+        edge: u32,
+        coefficient: i32,
+        point: &Vec3,
+        reach: f64,
+        at: &impl Fn(u32) -> Vec3,
+    ) {
+        let ends = mesh.edges()[edge as usize];
+        let (part, square) = on_segment(point, ends.map(at));
+        if square < reach {
+            let feature = match part {
+                Part::Corner(i) => Feature::Vertex(ends[i]),
+                _ => Feature::Edge(edge),
+            };
+            self.terms.push((feature, coefficient));
+        }
+    }
+
+    /// Adds what counts of all edges and corners of near faces.
+    fn share_all(&mut self, mesh: &Mesh, point: &Vec3, reach: f64, at: &impl Fn(u32) -> Vec3) {
+        self.count(mesh);
+        let edges = std::mem::take(&mut self.edges);
+        for &(edge, faces) in edges.iter().filter(|(_, faces)| *faces != 1) {
+            self.add_edge(mesh, edge, 1 - faces, point, reach, at);
+        }
+        for &(vertex, faces) in &self.corners {
+            let own = edges.iter().filter(|(edge, _)| mesh.edges()[*edge as usize].contains(&vertex));
+            let coefficient = 1 - faces - own.map(|(_, faces)| 1 - faces).sum::<i32>();
+            if coefficient != 0 && (point - at(vertex)).norm_squared() < reach {
+                self.terms.push((Feature::Vertex(vertex), coefficient));
+            }
+        }
+        self.edges = edges;
+    }
+
     fn of_face(mesh: &Mesh, face: u32, part: Part) -> Feature {
         match part {
             Part::Inside => Feature::Face(face),
@@ -110,13 +150,21 @@ impl Touched {
 
     /// Edges and corners of the near faces. Whatever of them is itself near has all of its faces among these.
     fn count(&mut self, mesh: &Mesh) {
-        self.edges.clear();
-        self.corners.clear();
-        for &face in &self.near {
-            self.edges.extend(mesh.sides()[face as usize].map(|edge| (edge, 1)));
-            self.corners.extend(mesh.faces()[face as usize].map(|corner| (corner, 1)));
+        let Self { near, edges, corners, .. } = self;
+        edges.clear();
+        corners.clear();
+        if near.len() <= FEW {
+            for &face in near.iter() {
+                mesh.sides()[face as usize].iter().for_each(|&edge| tally(edges, edge));
+                mesh.faces()[face as usize].iter().for_each(|&corner| tally(corners, corner));
+            }
+            return;
         }
-        for list in [&mut self.edges, &mut self.corners] {
+        for &face in near.iter() {
+            edges.extend(mesh.sides()[face as usize].map(|edge| (edge, 1)));
+            corners.extend(mesh.faces()[face as usize].map(|corner| (corner, 1)));
+        }
+        for list in [edges, corners] {
             list.sort_unstable();
             list.dedup_by(|next, kept| {
                 let same = next.0 == kept.0;
@@ -129,9 +177,12 @@ impl Touched {
     }
 }
 
-/// Whether a point over the inside of a face is farther than a reach from its sides: nothing but the face counts then.
-fn alone(point: &Vec3, corners: [Vec3; 3], reach: f64) -> bool {
-    (0..3).all(|i| on_segment(point, [corners[i], corners[(i + 1) % 3]]).1 >= reach)
+/// Counts a part once more.
+fn tally(list: &mut Vec<(u32, i32)>, part: u32) {
+    match list.iter_mut().find(|(own, _)| *own == part) {
+        Some((_, count)) => *count += 1,
+        None => list.push((part, 1)),
+    }
 }
 
 #[cfg(test)]

@@ -68,7 +68,7 @@
 //! | distance of a point or an edge from a feature, with its derivatives | `pair.rs`, `nearest.rs` |
 //! | faces and edges, what lies near along a surface | `mesh.rs` |
 //! | which features a point touches, how often each counts | `euler.rs` |
-//! | what may touch while nothing moves far | `list.rs`, `surfaces/following.rs` |
+//! | what may touch while nothing moves far | `list.rs`, `surfaces/following.rs`; which patches are near `patches.rs` |
 //! | how far nodes may go at once | `surfaces/reaching.rs` |
 //! | edges that cross between vertices | `edges.rs` |
 //! | two surfaces, or one with itself; forces, tangent, bounds of them | `surfaces.rs`; `surfaces/acting.rs` |
@@ -94,6 +94,7 @@
 //! | the same of pairs of features, of edges that cross, of two surfaces | `gradient_and_second_derivative_of_every_kind_of_pair_are_those_of_the_distance`, `forces_of_two_edges_are_the_gradient_of_their_energy_nearly_parallel_ones_too`, tests/surfaces.rs |
 //! | every nearest place counts once; what slides over a plane feels no ripple | `every_nearest_place_counts_once_at_faces_rims_notches_and_corners`, `what_slides_over_a_plane_feels_no_ripple` |
 //! | what is too near is found with its places, and what was so at rest is not | `two_sheets_are_too_near_below_the_sum_of_their_halves_and_where_they_cross`, `a_sheet_that_is_rolled_up_meets_itself_and_one_that_is_bent_does_not` |
+//! | lists by patches hold what all pairs do | `lists_by_patches_hold_what_all_pairs_do` |
 //! | no vertex leaps through a face | `nothing_leaps_through_what_it_may_touch` |
 //! | an even depth makes even forces on unlike cells, momentum is kept, an old list and a new one give the same bits | tests/surfaces.rs |
 #![warn(missing_docs)]
@@ -110,6 +111,7 @@ mod nearest;
 mod nodal;
 mod pace;
 mod pair;
+mod patches;
 mod pose;
 mod stiffness;
 mod surface;

@@ -1,9 +1,8 @@
 //! What may touch while nothing has moved far: faces near each vertex, edges near each edge, with their gaps.
 
-use sph_core::{CellList, Vec3};
-
-use crate::mesh::Mesh;
+use crate::edges::{near_lines, of_edges};
 use crate::nearest::{of_segments, on_triangle};
+use crate::patches::{Marks, Span, Spread};
 
 /// Partners of some parts of a surface, the parts in the order of their numbers, the partners of each too.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -12,6 +11,8 @@ pub(crate) struct List {
     partners: Vec<u32>,
     /// Gap of each partner when it was listed \[L\].
     gaps: Vec<f64>,
+    /// Least of all gaps, where anything is listed \[L\].
+    least: f64,
 }
 
 /// A part with partners near.
@@ -25,92 +26,93 @@ struct Entry {
     gap: f64,
 }
 
-/// Which parts may touch at all, how far apart they count as touching \[L\], and how much farther they are listed \[L\].
-pub(crate) struct Range<A, D> {
-    pub allowed: A,
-    pub distance: D,
+/// How far apart parts count as touching \[L\], and how much farther they are listed \[L\].
+#[derive(Clone, Copy)]
+pub(crate) struct Range {
+    pub distance: f64,
     pub skin: f64,
 }
 
 impl List {
-    /// Lists the faces of a mesh near points, both where they are now.
-    pub fn faces<A: Fn(u32, &[u32; 3]) -> bool>(
+    /// Lists the faces near the vertices that belong to a patch, among those of some patches of another surface, but those of marked vertices.
+    pub fn add_faces(
         &mut self,
-        points: &[Vec3],
-        mesh: &Mesh,
-        places: &[Vec3],
-        range: &Range<A, f64>,
+        (own, patch): (&Spread<'_>, u32),
+        (other, near): (&Spread<'_>, &[u32]),
+        range: Range,
+        marks: &mut Marks<'_>,
     ) {
-        self.clear();
-        let corners = |face: &[u32; 3]| face.map(|corner| places[corner as usize]);
-        let faces = mesh.faces();
-        let middles: Vec<Vec3> = faces.iter().map(|face| corners(face).iter().sum::<Vec3>() / 3.0).collect();
-        let size = |(face, middle): (&[u32; 3], &Vec3)| {
-            corners(face).iter().fold(0.0_f64, |most, corner| most.max((corner - middle).norm_squared()))
-        };
-        let largest = faces.iter().zip(&middles).map(size).fold(0.0, f64::max).sqrt();
         let reach = range.distance + range.skin;
-        let boxes = CellList::new(&middles, reach + largest);
-        let mut near = Vec::new();
-        for (v, point) in points.iter().enumerate() {
-            boxes.within(point, reach + largest, &mut near);
-            for &face in &near {
-                let own = &faces[face as usize];
-                if !(range.allowed)(v as u32, own) {
-                    continue;
-                }
-                let (_, square) = on_triangle(point, corners(own));
-                if square < reach * reach {
-                    self.add(face, square.sqrt() - range.distance);
+        for &vertex in own.patches.vertices(patch) {
+            let point = own.places[vertex as usize];
+            let here = Span::about([point]);
+            marks.put(&[vertex]);
+            for &near in near.iter().filter(|near| here.is_near(other.span(**near), reach * reach)) {
+                for face in other.patches.faces(near) {
+                    let corners = &other.mesh.faces()[face as usize];
+                    if marks.any(corners) {
+                        continue;
+                    }
+                    let corners = corners.map(|corner| other.places[corner as usize]);
+                    if !here.is_near(&Span::about(corners), reach * reach) {
+                        continue;
+                    }
+                    let (_, square) = on_triangle(&point, corners);
+                    if square < reach * reach {
+                        self.add(face, square.sqrt() - range.distance);
+                    }
                 }
             }
-            self.close(v as u32);
+            self.close(vertex);
         }
     }
 
-    /// Lists the edges of a mesh near those of another, or of the same where only higher numbers are partners.
-    pub fn edges<A: Fn(usize, usize) -> bool, D: Fn(usize, usize) -> f64>(
+    /// The same of the edges near those of a patch, from the distances of edges on; of one surface with itself those of higher numbers alone.
+    pub fn add_edges(
         &mut self,
-        [one, other]: [(&Mesh, &[Vec3]); 2],
-        itself: bool,
-        farthest: f64,
-        range: &Range<A, D>,
+        (own, patch): (&Spread<'_>, u32),
+        (other, near): (&Spread<'_>, &[u32]),
+        range: Range,
+        marks: &mut Marks<'_>,
     ) {
-        self.clear();
-        let ends = |(mesh, places): (&Mesh, &[Vec3]), edge: usize| -> [Vec3; 2] {
-            mesh.edges()[edge].map(|end| places[end as usize])
-        };
-        let longest = |of: (&Mesh, &[Vec3])| {
-            let all = (0..of.0.edges().len()).map(|edge| {
-                let [a, b] = ends(of, edge);
-                (b - a).norm_squared()
-            });
-            all.fold(0.0, f64::max).sqrt()
-        };
-        let middle = |of: (&Mesh, &[Vec3]), edge: usize| {
-            let [a, b] = ends(of, edge);
-            (a + b) * 0.5
-        };
-        let reach = farthest + range.skin + 0.5 * (longest(one) + longest(other));
-        let middles: Vec<Vec3> = (0..other.0.edges().len()).map(|edge| middle(other, edge)).collect();
-        let boxes = CellList::new(&middles, reach);
-        let mut near = Vec::new();
-        for edge in 0..one.0.edges().len() {
-            let own = ends(one, edge);
-            boxes.within(&middle(one, edge), reach, &mut near);
-            for &partner in near.iter().filter(|partner| !itself || **partner as usize > edge) {
-                let against = partner as usize;
-                if !(range.allowed)(edge, against) {
-                    continue;
-                }
-                let distance = (range.distance)(edge, against);
-                let (_, square) = of_segments(own, ends(other, against));
-                if square < (distance + range.skin) * (distance + range.skin) {
-                    self.add(partner, square.sqrt() - distance);
+        let itself = std::ptr::eq(own.mesh, other.mesh);
+        let ends = |of: &Spread<'_>, ends: [u32; 2]| ends.map(|end| of.places[end as usize]);
+        let mut found: Vec<(u32, f64)> = Vec::new();
+        for &edge in own.patches.edges(patch) {
+            let numbers = own.mesh.edges()[edge as usize];
+            let [a, b] = ends(own, numbers);
+            let here = Span::about([a, b]);
+            marks.put(&numbers);
+            found.clear();
+            let rim = own.mesh.is_rim(edge as usize);
+            let most = of_edges(range.distance, rim) + range.skin;
+            for &near in near.iter().filter(|near| here.is_near(other.span(**near), most * most)) {
+                for &partner in other.patches.edges(near).iter().filter(|partner| !itself || **partner > edge)
+                {
+                    let numbers = other.mesh.edges()[partner as usize];
+                    let distance = of_edges(range.distance, rim && other.mesh.is_rim(partner as usize));
+                    let (reach, [c, d]) = (distance + range.skin, ends(other, numbers));
+                    if marks.any(&numbers)
+                        || !here.is_near(&Span::about([c, d]), reach * reach)
+                        || !near_lines([a, b], [c, d], reach)
+                    {
+                        continue;
+                    }
+                    let (_, square) = of_segments([a, b], [c, d]);
+                    if square < reach * reach {
+                        found.push((partner, square.sqrt() - distance));
+                    }
                 }
             }
-            self.close(edge as u32);
+            found.sort_unstable_by_key(|(partner, _)| *partner);
+            found.iter().for_each(|&(partner, gap)| self.add(partner, gap));
+            self.close(edge);
         }
+    }
+
+    /// Puts parts in the order of their numbers when all are listed.
+    pub fn sort(&mut self) {
+        self.entries.sort_unstable_by_key(|entry| entry.part);
     }
 
     /// Parts with the partners that may touch them after each of both has moved by half of a way \[L\].
@@ -127,6 +129,11 @@ impl List {
         self.entries.is_empty()
     }
 
+    /// Least gap of all \[L\]; infinite where nothing is near.
+    pub fn least_gap(&self) -> f64 {
+        if self.is_empty() { f64::INFINITY } else { self.least }
+    }
+
     /// Every part with each of its partners.
     pub fn pairs(&self) -> impl Iterator<Item = (u32, u32)> {
         self.after(f64::INFINITY).flat_map(|(part, partners)| partners.map(move |partner| (part, partner)))
@@ -137,10 +144,12 @@ impl List {
         size_of_val(&self.entries[..]) + size_of_val(&self.partners[..]) + size_of_val(&self.gaps[..])
     }
 
-    fn clear(&mut self) {
+    /// Empties it.
+    pub fn clear(&mut self) {
         self.entries.clear();
         self.partners.clear();
         self.gaps.clear();
+        self.least = f64::INFINITY;
     }
 
     fn add(&mut self, partner: u32, gap: f64) {
@@ -154,6 +163,7 @@ impl List {
         if end > first {
             let gap = self.gaps[first as usize..].iter().copied().fold(f64::INFINITY, f64::min);
             self.entries.push(Entry { part, first, end, gap });
+            self.least = self.least.min(gap);
         }
     }
 }

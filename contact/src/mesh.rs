@@ -178,10 +178,14 @@ pub(crate) struct Neighbours {
 }
 
 impl Neighbours {
+    /// The vertices near a vertex.
+    pub fn of(&self, vertex: u32) -> &[u32] {
+        &self.vertices[self.firsts[vertex as usize] as usize..self.firsts[vertex as usize + 1] as usize]
+    }
+
     /// Whether any of some vertices lies near a vertex.
     pub fn any(&self, vertex: u32, others: &[u32]) -> bool {
-        let own =
-            &self.vertices[self.firsts[vertex as usize] as usize..self.firsts[vertex as usize + 1] as usize];
+        let own = self.of(vertex);
         others.iter().any(|other| own.binary_search(other).is_ok())
     }
 

@@ -14,6 +14,7 @@ pub(crate) enum Part {
 }
 
 /// The part of a segment on which its place nearest to a point lies, and the square of the distance.
+#[inline]
 pub(crate) fn on_segment(p: &Vec3, [a, b]: [Vec3; 2]) -> (Part, f64) {
     let (along, r) = (b - a, p - a);
     let part = along.dot(&r);
@@ -28,6 +29,7 @@ pub(crate) fn on_segment(p: &Vec3, [a, b]: [Vec3; 2]) -> (Part, f64) {
 }
 
 /// The same of a triangle: regions of Voronoi \[ericson2005\].
+#[inline]
 pub(crate) fn on_triangle(p: &Vec3, [a, b, c]: [Vec3; 3]) -> (Part, f64) {
     let (e, f) = (b - a, c - a);
     let to_a = p - a;
@@ -63,6 +65,7 @@ pub(crate) fn on_triangle(p: &Vec3, [a, b, c]: [Vec3; 3]) -> (Part, f64) {
 }
 
 /// Where along two segments the places nearest to each other lie \[–\], and the square of the distance \[ericson2005\].
+#[inline]
 pub(crate) fn of_segments([a, b]: [Vec3; 2], [c, d]: [Vec3; 2]) -> ([f64; 2], f64) {
     let (e, f, r) = (b - a, d - c, a - c);
     let [ee, ff, fr, er, ef] = [e.dot(&e), f.dot(&f), f.dot(&r), e.dot(&r), e.dot(&f)];

@@ -12,10 +12,12 @@ const OF_MEETING: f64 = 0.2;
 const OF_DISTANCE: f64 = 0.5;
 /// Least step over the stable one; below it parts are pressed through each other.
 const FLOOR: f64 = 0.01;
-/// Steps for which surfaces with nothing near are not looked at again, at most.
+/// Steps for which surfaces of which nothing can touch are not looked at again, at most.
 const PATIENCE: f64 = 16.0;
 /// By how much speeds may grow meanwhile.
 const MARGIN: f64 = 2.0;
+/// Part of the contact distance by which two parts that are at rest may come nearer to each other in a step meanwhile.
+const STARTS: f64 = 1.0 / 64.0;
 
 /// Masses and velocities of nodes, as whoever marches them has them.
 pub trait Moving {
@@ -86,8 +88,12 @@ impl Pace {
         moving: &impl Moving,
     ) -> f64 {
         let speed = moving.greatest_speed();
-        if let Some(left) = contact.left_alone() {
-            self.wait = (left / (2.0 * MARGIN * speed * stable)).min(PATIENCE).floor();
+        let bound = OF_DISTANCE * contact.touching().distance / (2.0 * speed);
+        if let Some(left) = contact.left_alone()
+            && (contact.nothing_is_listed() || MARGIN * stable <= bound)
+        {
+            let way = 2.0 * MARGIN * speed * stable + STARTS * contact.touching().distance;
+            self.wait = (left / way).min(PATIENCE).floor();
             return stable;
         }
         let mut step = stable;
@@ -101,7 +107,7 @@ impl Pace {
             }
             step = step.min(OF_MEETING * contact.meeting(DEEP, |node| moving.velocity(node)));
         }
-        step = step.min(OF_DISTANCE * contact.touching().distance / (2.0 * speed));
+        step = step.min(bound);
         if step < FLOOR * stable {
             self.pressed = Some(step / stable);
             step = FLOOR * stable;

@@ -25,55 +25,83 @@ pub struct Pair {
     pub distance: f64,
     /// Direction n from the other side to the first.
     pub normal: Vec3,
-    /// Number of places.
-    count: usize,
+    kind: Kind,
+}
+
+/// What faces what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Points,
+    Segment,
+    Face,
+    Edges,
+}
+
+impl Kind {
+    /// Number of places, and of parameters.
+    fn counts(self) -> [usize; 2] {
+        match self {
+            Self::Points => [2, 0],
+            Self::Segment => [3, 1],
+            Self::Face | Self::Edges => [4, 2],
+        }
+    }
+
     /// `∂_k w_a` of up to two parameters.
-    slopes: [[f64; 4]; 2],
-    /// Number of parameters.
-    free: usize,
+    fn slopes(self) -> [[f64; 4]; 2] {
+        match self {
+            Self::Points => [[0.0; 4]; 2],
+            Self::Segment => [[0.0, 1.0, -1.0, 0.0], [0.0; 4]],
+            Self::Face => [[0.0, 1.0, -1.0, 0.0], [0.0, 1.0, 0.0, -1.0]],
+            Self::Edges => [[-1.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -1.0]],
+        }
+    }
 }
 
 impl Pair {
     /// A point and another point.
+    #[inline]
     pub fn points([p, q]: [Vec3; 2]) -> Self {
-        Self::of(&[p, q], [1.0, -1.0, 0.0, 0.0], [[0.0; 4]; 2], 0)
+        Self::of([p, q], [1.0, -1.0, 0.0, 0.0], Kind::Points)
     }
 
     /// A point and the line through two others.
+    #[inline]
     pub fn segment([p, a, b]: [Vec3; 3]) -> Self {
         let along = b - a;
         let part = along.dot(&(p - a)) / along.norm_squared();
-        Self::of(&[p, a, b], [1.0, part - 1.0, -part, 0.0], [[0.0, 1.0, -1.0, 0.0], [0.0; 4]], 1)
+        Self::of([p, a, b], [1.0, part - 1.0, -part, 0.0], Kind::Segment)
     }
 
     /// A point and the plane through three others.
+    #[inline]
     pub fn face([p, a, b, c]: [Vec3; 4]) -> Self {
         let (e, f, r) = (b - a, c - a, p - a);
         let [ee, ef, ff] = [e.dot(&e), e.dot(&f), f.dot(&f)];
         let [re, rf] = [r.dot(&e), r.dot(&f)];
         let over = 1.0 / (ee * ff - ef * ef);
         let [u, v] = [(ff * re - ef * rf) * over, (ee * rf - ef * re) * over];
-        let slopes = [[0.0, 1.0, -1.0, 0.0], [0.0, 1.0, 0.0, -1.0]];
-        Self::of(&[p, a, b, c], [1.0, u + v - 1.0, -u, -v], slopes, 2)
+        Self::of([p, a, b, c], [1.0, u + v - 1.0, -u, -v], Kind::Face)
     }
 
     /// The lines through the first two points and through the last two, which are not parallel.
+    #[inline]
     pub fn edges([a, b, c, d]: [Vec3; 4]) -> Self {
         let (e, f, r) = (b - a, d - c, a - c);
         let [ee, ef, ff] = [e.dot(&e), e.dot(&f), f.dot(&f)];
         let [re, rf] = [r.dot(&e), r.dot(&f)];
         let over = 1.0 / (ee * ff - ef * ef);
         let [u, v] = [(ef * rf - ff * re) * over, (ee * rf - ef * re) * over];
-        let slopes = [[-1.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -1.0]];
-        Self::of(&[a, b, c, d], [1.0 - u, u, v - 1.0, -v], slopes, 2)
+        Self::of([a, b, c, d], [1.0 - u, u, v - 1.0, -v], Kind::Edges)
     }
 
-    fn of(places: &[Vec3], weights: [f64; 4], slopes: [[f64; 4]; 2], free: usize) -> Self {
+    #[inline]
+    fn of<const N: usize>(places: [Vec3; N], weights: [f64; 4], kind: Kind) -> Self {
         let r = places.iter().zip(&weights).fold(Vec3::zeros(), |sum, (x, w)| sum + x * *w);
         let distance = r.norm();
-        let size = (places[0] - places[places.len() - 1]).norm();
+        let size = (places[0] - places[N - 1]).norm();
         let normal = if distance > TINY * size { r / distance } else { Vec3::zeros() };
-        Self { weights, distance, normal, count: places.len(), slopes, free }
+        Self { weights, distance, normal, kind }
     }
 
     /// `∂²ψ/∂x_a∂x_b` for a potential of the slope ψ′ \[F\] and the curvature ψ″ \[F/L\] in the distance, at the places that the pair was made of.
@@ -82,16 +110,17 @@ impl Pair {
         let along = self.along(places);
         let inverse = self.inverse(&along);
         let r = n * self.distance;
-        let change = |k: usize, a: usize| r * self.slopes[k][a] + along[k] * w[a];
+        let ([count, free], slopes) = (self.kind.counts(), self.kind.slopes());
+        let change = |k: usize, a: usize| r * slopes[k][a] + along[k] * w[a];
         let bent = if self.distance > 0.0 { slope / self.distance } else { 0.0 };
         let normals = n * n.transpose();
         let mut out = [[Matrix3::zeros(); 4]; 4];
-        for (a, row) in out.iter_mut().enumerate().take(self.count) {
-            for (b, block) in row.iter_mut().enumerate().take(self.count) {
+        for (a, row) in out.iter_mut().enumerate().take(count) {
+            for (b, block) in row.iter_mut().enumerate().take(count) {
                 let both = w[a] * w[b];
                 let mut across = (Matrix3::identity() - normals) * both;
-                for k in 0..self.free {
-                    for l in 0..self.free {
+                for k in 0..free {
+                    for l in 0..free {
                         across -= change(k, a) * change(l, b).transpose() * inverse[(k, l)];
                     }
                 }
@@ -107,11 +136,12 @@ impl Pair {
         let along = self.along(places);
         let inverse = self.inverse(&along);
         let r = self.normal * self.distance;
+        let ([count, free], slopes) = (self.kind.counts(), self.kind.slopes());
         let mut out = [Vec3::zeros(); 4];
-        for (a, out) in out.iter_mut().enumerate().take(self.count) {
-            for k in 0..self.free {
-                for l in 0..self.free {
-                    let change = r * self.slopes[l][a] + along[l] * self.weights[a];
+        for (a, out) in out.iter_mut().enumerate().take(count) {
+            for k in 0..free {
+                for l in 0..free {
+                    let change = r * slopes[l][a] + along[l] * self.weights[a];
                     *out += change * (inverse[(k, l)] * along[k].dot(direction));
                 }
             }
@@ -122,7 +152,7 @@ impl Pair {
     /// `T_k = Σ ∂_k w_a x_a`.
     fn along(&self, places: &[Vec3]) -> [Vec3; 2] {
         let mut along = [Vec3::zeros(); 2];
-        for (along, slopes) in along.iter_mut().zip(&self.slopes) {
+        for (along, slopes) in along.iter_mut().zip(&self.kind.slopes()) {
             *along = places.iter().zip(slopes).fold(Vec3::zeros(), |sum, (x, s)| sum + x * *s);
         }
         along
@@ -131,7 +161,7 @@ impl Pair {
     /// `(T·T)⁻¹`.
     fn inverse(&self, along: &[Vec3; 2]) -> Matrix2<f64> {
         let [t, s] = along;
-        match self.free {
+        match self.kind.counts()[1] {
             2 => {
                 let [tt, ts, ss] = [t.dot(t), t.dot(s), s.dot(s)];
                 Matrix2::new(ss, -ts, -ts, tt) / (tt * ss - ts * ts)

@@ -8,12 +8,13 @@ mod rubbing;
 
 use sph_core::Vec3;
 
-use crate::edges::{Crossing, crossing};
+use crate::edges::{Crossing, crossing, near_lines, of_edges};
 use crate::euler::{Feature, Touched};
 use crate::law::Law;
 use crate::list::List;
 use crate::mesh::{Mesh, Neighbours};
 use crate::pair::Pair;
+use crate::patches::Patches;
 use rubbing::Rubbing;
 
 /// Reach along the surface over the contact distance within which parts of one surface never touch.
@@ -45,6 +46,7 @@ pub struct Touching {
 #[derive(Clone, Debug)]
 pub struct SurfaceContact {
     meshes: Vec<Mesh>,
+    patches: Vec<Patches>,
     touching: Touching,
     passes: Vec<Pass>,
     /// Parts near each other at rest, of a surface with itself.
@@ -54,9 +56,12 @@ pub struct SurfaceContact {
     lengths: Vec<Vec<f64>>,
     /// Stiffness of a pair of edges \[F/L\].
     of_edges: f64,
-    /// Where nodes were when lists were made, body by body, and where vertices were.
+    /// Where nodes were when lists were made, body by body.
     listed: Vec<Vec<Vec3>>,
+    /// Where vertices are: those that are named in lists, as they were last looked at.
     places: Vec<Vec<Vec3>>,
+    /// Those, ascending.
+    involved: Vec<Vec<u32>>,
     lists: u64,
     /// Greatest way of two nodes towards each other since then \[L\].
     way: f64,
@@ -160,6 +165,7 @@ impl SurfaceContact {
         Self {
             lengths: meshes.iter().zip(rest).map(length).collect(),
             of_edges: 2.0 * touching.stiffness * areas[0] * areas[1] / (areas[0] + areas[1]),
+            patches: meshes.iter().map(Patches::new).collect(),
             meshes,
             touching,
             passes,
@@ -167,6 +173,7 @@ impl SurfaceContact {
             crossings: List::default(),
             listed: Vec::new(),
             places: Vec::new(),
+            involved: Vec::new(),
             lists: 0,
             way: 0.0,
             touched: Touched::default(),
@@ -190,16 +197,36 @@ impl SurfaceContact {
     /// Finds what touches where nodes are now; forces and tangent are those of this state until the next look.
     pub fn look(&mut self, at: impl Fn(Node) -> Vec3) -> SurfaceTouch {
         self.follow(&at);
-        let Self { meshes, touching, passes, touched, contacts, way, .. } = self;
-        contacts.clear();
-        let Touching { distance, law, stiffness, .. } = *touching;
+        self.contacts.clear();
+        self.pushed.clear();
         let mut sum = SurfaceTouch::default();
+        if self.least_gap() <= self.way {
+            self.put_places(&at);
+            self.meet(&mut sum);
+            if self.touching.edges {
+                sum.energy += self.cross();
+            }
+        }
+        if self.rubbing.is_some() {
+            sum.energy += self.rub(&at);
+        }
+        sum
+    }
+
+    /// Finds which vertices touch what; adds to what surfaces do to each other.
+    fn meet(&mut self, sum: &mut SurfaceTouch) {
+        let Self { meshes, touching, passes, touched, contacts, places, way, .. } = self;
+        let Touching { distance, law, stiffness, .. } = *touching;
         for (number, pass) in passes.iter().enumerate() {
             let (own, other) = (&meshes[pass.of], &meshes[pass.on]);
-            let place = |v: u32| other.place(v, |a| at((pass.on, a)));
+            let (points, places) = (&places[pass.of][..], &places[pass.on][..]);
+            let place = |v: u32| places[v as usize];
             for (vertex, faces) in pass.list.after(*way) {
-                let point = own.place(vertex, |a| at((pass.of, a)));
+                let point = points[vertex as usize];
                 touched.find(other, &point, distance, faces, place);
+                if touched.terms.is_empty() {
+                    continue;
+                }
                 let area = own.surface().vertices()[vertex as usize].area * pass.share;
                 let stiff = stiffness * area;
                 for &(feature, coefficient) in &touched.terms {
@@ -221,35 +248,31 @@ impl SurfaceContact {
                         depth,
                     });
                 }
-                if !touched.terms.is_empty() {
-                    sum.area += area;
-                }
+                sum.area += area;
             }
         }
-        if touching.edges {
-            sum.energy += self.cross(&at);
-        }
-        if self.rubbing.is_some() {
-            sum.energy += self.rub(&at);
-        }
-        sum
     }
 
     /// Finds which edges push; their energy \[F L\].
-    fn cross(&mut self, at: impl Fn(Node) -> Vec3) -> f64 {
-        let Self { meshes, crossings, lengths, of_edges, pushed, way, touching, .. } = self;
-        pushed.clear();
+    fn cross(&mut self) -> f64 {
+        let Self { meshes, crossings, lengths, of_edges: stiffness, pushed, places, way, touching, .. } =
+            self;
         let last = meshes.len() - 1;
+        let [own, other] = [0, last].map(|body| (&meshes[body], &places[body][..]));
+        let ends = |(mesh, places): (&Mesh, &[Vec3]), edge: u32| {
+            mesh.edges()[edge as usize].map(|v| places[v as usize])
+        };
         let mut sum = 0.0;
         for (edge, partners) in crossings.after(*way) {
-            let ends = meshes[0].edges()[edge as usize].map(|v| meshes[0].place(v, |a| at((0, a))));
+            let ([a, b], rim) = (ends(own, edge), own.0.is_rim(edge as usize));
             for partner in partners {
-                let others = meshes[last].edges()[partner as usize];
-                let [c, d] = others.map(|v| meshes[last].place(v, |a| at((last, a))));
+                let [c, d] = ends(other, partner);
+                let within = of_edges(touching.distance, rim && other.0.is_rim(partner as usize));
+                if !near_lines([a, b], [c, d], within) {
+                    continue;
+                }
                 let rest = lengths[0][edge as usize] * lengths[last][partner as usize];
-                let within =
-                    reach_of_edges(meshes, touching.distance, [edge, partner].map(|edge| edge as usize));
-                if let Some(crossing) = crossing([ends[0], ends[1], c, d], within, *of_edges, rest) {
+                if let Some(crossing) = crossing([a, b, c, d], within, *stiffness, rest) {
                     sum += crossing.energy;
                     pushed.push(Pushed { edges: [edge, partner], crossing, within });
                 }
@@ -269,15 +292,10 @@ impl SurfaceContact {
         lists
             + places
             + self.meshes.iter().map(mesh).sum::<usize>()
+            + self.patches.iter().map(Patches::bytes).sum::<usize>()
             + self.near.as_ref().map_or(0, Neighbours::bytes)
             + self.rubbing_bytes()
     }
-}
-
-/// Distance from which two edges push \[L\].
-fn reach_of_edges(meshes: &[Mesh], distance: f64, [edge, partner]: [usize; 2]) -> f64 {
-    let both = meshes[0].is_rim(edge) && meshes[meshes.len() - 1].is_rim(partner);
-    if both { distance } else { 0.5 * distance }
 }
 
 /// Vertices of a feature and how many they are.

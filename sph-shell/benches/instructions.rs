@@ -8,9 +8,10 @@ use std::process::Command;
 use contact::{Law, ToolShape, stiffness};
 use explicit_dynamics::{Amplitude, Clock};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
-use sph_core::{CubicSpline, EndWeights, Plate, Vec3, lattice};
+use sph_core::{Cell, Cloud, CubicSpline, EndWeights, Plate, Vec3, lattice};
 use sph_shell::{
-    Divergence, Formulation, Parts, Reach, Shell, Spring, SpringBetween, Springs, Tool, TurnSpring,
+    Divergence, Formulation, OwnContact, Parts, Reach, Shell, Spring, SpringBetween, Springs, Tool,
+    TurnSpring,
 };
 
 const SIDE: usize = 30;
@@ -34,6 +35,17 @@ const SPRUNG: [&str; 3] = ["springs to the ground", "springs against turning", "
 
 /// Planes below the plate of the first formulation: many cells away, a fifth of a cell, and pressed in by a hundredth of the thickness.
 const TOUCHED: [&str; 3] = ["a tool that is far", "a tool that is near", "a tool that all of it touches"];
+
+/// Two sheets of the first formulation, of which one shell that touches itself is made: their distance over the thickness, whether it touches itself at
+/// all, and whether edges are looked at.
+const STACKED: [(&str, f64, bool, bool); 6] = [
+    ("two sheets", 0.9, false, false),
+    ("two sheets of a shell that may touch itself, far", 100.0, true, true),
+    ("two sheets near each other", 2.0, true, false),
+    ("two sheets near each other, with edges", 2.0, true, true),
+    ("two sheets that touch all over", 0.9, true, false),
+    ("two sheets that touch all over, with edges", 0.9, true, true),
+];
 
 /// A plane at that distance; none beyond the kinds.
 fn tools(kind: usize) -> Vec<Tool> {
@@ -79,20 +91,24 @@ fn main() {
         // Beyond the formulations those springs, then those tools, on the first of them.
         let formulation = *formulations().get(which).unwrap_or(&formulations()[0]);
         let kind = |before: usize| which.checked_sub(formulations().len() + before).unwrap_or(usize::MAX);
-        let (springs, tools) = (springs(kind(0)), tools(kind(SPRUNG.len())));
-        march(formulation, springs, tools, steps.parse().expect("a number"));
+        let steps = steps.parse().expect("a number");
+        if let Some(&(_, distance, touches, edges)) = STACKED.get(kind(SPRUNG.len() + TOUCHED.len())) {
+            march(stack(distance, touches.then_some(edges)), steps);
+            return;
+        }
+        march(plate(formulation, springs(kind(0)), tools(kind(SPRUNG.len()))), steps);
         return;
     }
     let names = formulations().map(|formulation| format!("{formulation:?}"));
-    for (which, name) in
-        names.into_iter().chain(SPRUNG.map(String::from)).chain(TOUCHED.map(String::from)).enumerate()
-    {
+    let acted = SPRUNG.into_iter().chain(TOUCHED).chain(STACKED.map(|(name, ..)| name)).map(String::from);
+    for (which, name) in names.into_iter().chain(acted).enumerate() {
         let counts = STEPS.map(|steps| count(which, steps));
         let [Some(few), Some(many)] = counts else {
             println!("instruction counts skipped: valgrind is not here, or it did not report a count");
             return;
         };
-        let particle_steps = (STEPS[1] - STEPS[0]) * (SIDE * SIDE) as u64;
+        let sheets = if which < formulations().len() + SPRUNG.len() + TOUCHED.len() { 1 } else { 2 };
+        let particle_steps = (STEPS[1] - STEPS[0]) * (sheets * SIDE * SIDE) as u64;
         println!("{name}: {} instructions a particle-step", (many - few) / particle_steps);
     }
 }
@@ -110,11 +126,9 @@ fn count(which: usize, steps: u64) -> Option<u64> {
     line.rsplit(' ').next()?.parse().ok()
 }
 
-fn march(formulation: Formulation, springs: Springs, tools: Vec<Tool>, steps: u64) {
-    let cloud = lattice(&Plate { lengths: [1.0, 1.0] }, [SIDE, SIDE], EndWeights::Trapezoid)
-        .expect("a sound lattice");
+fn parts(cloud: Cloud, formulation: Formulation) -> Parts {
     let material = Isotropic::new(1e6, 0.3).expect("a sound material");
-    let shell = Shell::builder(Parts {
+    Parts {
         cloud,
         section: Box::new(IsotropicSection::new(material, 0.01).expect("a sound section")),
         strain: &StretchCorrected,
@@ -124,8 +138,39 @@ fn march(formulation: Formulation, springs: Springs, tools: Vec<Tool>, steps: u6
         supports: Vec::new(),
         loads: Vec::new(),
         threads: 1,
+    }
+}
+
+fn plate(formulation: Formulation, springs: Springs, tools: Vec<Tool>) -> Shell {
+    let cloud = lattice(&Plate { lengths: [1.0, 1.0] }, [SIDE, SIDE], EndWeights::Trapezoid)
+        .expect("a sound lattice");
+    Shell::builder(parts(cloud, formulation)).springs(springs).tools(tools).build().expect("a sound shell")
+}
+
+/// Two plates of unlike places at a distance over the thickness.
+fn stack(distance: f64, edges: Option<bool>) -> Shell {
+    let (count, spacing) = (SIDE as u32, 1.0 / (SIDE - 1) as f64);
+    let (mut places, mut cells) = (Vec::new(), Vec::new());
+    for shift in [Vec3::zeros(), Vec3::new(0.3 * spacing, 0.17 * spacing, 0.01 * distance)] {
+        let first = places.len() as u32;
+        let place = |a: u32| Vec3::new(f64::from(a % count), f64::from(a / count), 0.0) * spacing + shift;
+        places.extend((0..count * count).map(place));
+        let cell = |a: u32| Cell::quadrangle([a, a + 1, a + count + 1, a + count].map(|a| a + first));
+        cells.extend((0..count * (count - 1)).filter(|a| a % count < count - 1).map(cell));
+    }
+    let normals = vec![Vec3::z(); places.len()];
+    let cloud = Cloud::from_sheets(places, Some(normals), cells, Vec::new()).expect("sound sheets");
+    let own = edges.map(|edges| OwnContact {
+        law: Law::new(0.05).expect("a law"),
+        stiffness: 0.5 * stiffness(1e6, 0.01, spacing),
+        edges,
+        friction: 0.0,
     });
-    let mut shell = shell.springs(springs).tools(tools).build().expect("a sound shell");
+    let shell = Shell::builder(parts(cloud, formulations()[0])).touching_itself(own);
+    shell.build().expect("a sound shell")
+}
+
+fn march(mut shell: Shell, steps: u64) {
     for a in 0..shell.len() {
         let x = shell.position(a);
         shell.set_rate(a, Vec3::new(x.y, -x.x, x.x * x.y), Vec3::zeros());

@@ -170,7 +170,7 @@ impl Loading {
             && self.spring_forces.is_empty()
             && self.wetted.is_none()
             && self.push.is_none()
-            && self.own_contact.is_none()
+            && self.own_contact.as_ref().is_none_or(|own| own.rests())
             && self.exerted.is_empty()
             && dependents.is_empty();
         if tools_alone && !touching && self.idle {

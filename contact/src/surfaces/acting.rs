@@ -150,20 +150,23 @@ impl SurfaceContact {
     }
 
     /// Hands each place of a contact with its nodes, and the share that a node has in it, to `each`.
+    #[inline]
     pub(super) fn each_place(&self, contact: &Contact, mut each: impl FnMut(usize, &[Node], f64)) {
         let pass = &self.passes[contact.pass];
         let (corners, count) = corners_of(&self.meshes[pass.on], contact.feature);
-        let mut nodes = [(0, 0); 4];
         let mut hand = |place: usize, body: usize, vertex: u32| {
-            let own = self.meshes[body].surface().vertices()[vertex as usize];
-            nodes.iter_mut().zip(own.nodes()).for_each(|(node, &a)| *node = (body, a));
-            each(place, &nodes[..own.nodes().len()], own.share());
+            let own = &self.meshes[body].surface().vertices()[vertex as usize];
+            match own.nodes() {
+                &[a] => each(place, &[(body, a)], 1.0),
+                _ => each(place, &own.corners().map(|a| (body, a)), own.share()),
+            }
         };
         hand(0, pass.of, contact.vertex);
         corners[..count].iter().enumerate().for_each(|(i, &corner)| hand(i + 1, pass.on, corner));
     }
 
     /// Hands each node of a contact with its weight in the distance to `each`.
+    #[inline]
     fn each_node(&self, contact: &Contact, mut each: impl FnMut(Node, f64)) {
         self.each_place(contact, |place, nodes, share| {
             nodes.iter().for_each(|&node| each(node, contact.pair.weights[place] * share));

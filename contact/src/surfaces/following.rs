@@ -2,9 +2,10 @@
 
 use sph_core::Vec3;
 
-use super::{Node, SurfaceContact, reach_of_edges};
+use super::{Node, SurfaceContact};
 use crate::list::Range;
 use crate::mesh::Mesh;
+use crate::patches::{Marks, Spread};
 
 impl SurfaceContact {
     /// How many lists were made.
@@ -34,10 +35,16 @@ impl SurfaceContact {
         }
     }
 
-    /// How far nodes may still come nearer to each other before anything is near enough to be listed \[L\]; none where something is.
+    /// How far nodes may still come nearer to each other before anything touches, or is near enough to be listed \[L\]; none where something may
+    /// touch now.
     pub fn left_alone(&self) -> Option<f64> {
-        let empty = self.passes.iter().all(|pass| pass.list.is_empty()) && self.crossings.is_empty();
-        empty.then_some(self.touching.skin - self.way)
+        let left = self.least_gap().min(self.touching.skin) - self.way;
+        (left > 0.0).then_some(left)
+    }
+
+    /// Whether nothing is near enough to be listed.
+    pub fn nothing_is_listed(&self) -> bool {
+        self.passes.iter().all(|pass| pass.list.is_empty()) && self.crossings.is_empty()
     }
 
     /// Makes the lists that were made where nodes were, body by body as [`SurfaceContact::listed`] has them; false, and nothing changed,
@@ -66,9 +73,50 @@ impl SurfaceContact {
         }
     }
 
+    /// Least gap of all that is listed, as it was when it was \[L\]; infinite where nothing is.
+    pub(super) fn least_gap(&self) -> f64 {
+        self.passes.iter().map(|pass| pass.list.least_gap()).fold(self.crossings.least_gap(), f64::min)
+    }
+
+    /// Puts the vertices that lists name where nodes are now.
+    pub(super) fn put_places(&mut self, at: impl Fn(Node) -> Vec3) {
+        for (body, (involved, places)) in self.involved.iter().zip(&mut self.places).enumerate() {
+            let vertices = self.meshes[body].surface().vertices();
+            for &v in involved {
+                places[v as usize] = vertices[v as usize].place(|a| at((body, a)));
+            }
+        }
+    }
+
     /// Makes lists where nodes are now.
     pub fn list(&mut self, at: impl Fn(Node) -> Vec3) {
-        let Self { meshes, touching, passes, near, crossings, listed, places, lists, way, .. } = self;
+        self.list_near(at);
+        let Self { meshes, passes, crossings, involved, .. } = self;
+        let last = meshes.len() - 1;
+        let mut named: Vec<Vec<bool>> =
+            meshes.iter().map(|mesh| vec![false; mesh.surface().vertices().len()]).collect();
+        for pass in passes.iter() {
+            for (vertex, face) in pass.list.pairs() {
+                named[pass.of][vertex as usize] = true;
+                meshes[pass.on].faces()[face as usize]
+                    .iter()
+                    .for_each(|&v| named[pass.on][v as usize] = true);
+            }
+        }
+        for (edge, partner) in crossings.pairs() {
+            meshes[0].edges()[edge as usize].iter().for_each(|&v| named[0][v as usize] = true);
+            meshes[last].edges()[partner as usize].iter().for_each(|&v| named[last][v as usize] = true);
+        }
+        involved.resize(meshes.len(), Vec::new());
+        for (involved, named) in involved.iter_mut().zip(&named) {
+            involved.clear();
+            involved.extend((0..).zip(named).filter(|(_, named)| **named).map(|(v, _): (u32, _)| v));
+        }
+    }
+
+    fn list_near(&mut self, at: impl Fn(Node) -> Vec3) {
+        let Self { meshes, patches, touching, passes, near, crossings, listed, places, lists, way, .. } =
+            self;
         (*way, *lists) = (0.0, *lists + 1);
         listed.resize(meshes.len(), Vec::new());
         places.resize(meshes.len(), Vec::new());
@@ -79,25 +127,24 @@ impl SurfaceContact {
             listed[body].clear();
             listed[body].extend(mesh.nodes().map(|a| at((body, a))));
         }
+        let edges = touching.edges && !meshes.iter().any(Mesh::is_of_points);
+        let range = Range { distance: touching.distance, skin: touching.skin };
+        let spread = |body: usize| Spread::new(&meshes[body], &patches[body], &places[body]);
+        let spreads: Vec<Spread<'_>> = (0..meshes.len()).map(spread).collect();
+        crossings.clear();
         for pass in passes.iter_mut() {
-            let allowed =
-                |vertex: u32, corners: &[u32; 3]| near.as_ref().is_none_or(|near| !near.any(vertex, corners));
-            let range = Range { allowed, distance: touching.distance, skin: touching.skin };
-            pass.list.faces(&places[pass.of], &meshes[pass.on], &places[pass.on], &range);
+            let (own, other) = (&spreads[pass.of], &spreads[pass.on]);
+            let mut marks = Marks::new(near.as_ref(), other.places.len());
+            pass.list.clear();
+            own.each_near(other, range.distance + range.skin, |patch, near| {
+                pass.list.add_faces((own, patch), (other, near), range, &mut marks);
+                if edges && pass.of == 0 {
+                    crossings.add_edges((own, patch), (other, near), range, &mut marks);
+                }
+            });
+            pass.list.sort();
         }
-        if !touching.edges || meshes.iter().any(Mesh::is_of_points) {
-            return;
-        }
-        let last = meshes.len() - 1;
-        let allowed = |edge: usize, partner: usize| {
-            let (own, other) = (meshes[0].edges()[edge], meshes[last].edges()[partner]);
-            near.as_ref().is_none_or(|near| own.iter().all(|&end| !near.any(end, &other)))
-        };
-        let distance =
-            |edge: usize, partner: usize| reach_of_edges(meshes, touching.distance, [edge, partner]);
-        let range = Range { allowed, distance, skin: touching.skin };
-        let sides = [0, last].map(|i| (&meshes[i], &places[i][..]));
-        crossings.edges(sides, last == 0, touching.distance, &range);
+        crossings.sort();
     }
 
     /// Greatest way of a node since the last list, the mean way taken out \[L\].

@@ -7,6 +7,7 @@ use crate::euler::Feature;
 use crate::list::{List, Range};
 use crate::mesh::Mesh;
 use crate::nearest::{Part, on_triangle};
+use crate::patches::{Marks, Spread};
 
 /// Part of their distance by which a vertex and a face may come nearer to each other at once.
 const OF_DISTANCE: f64 = 0.8;
@@ -43,10 +44,15 @@ impl SurfaceContact {
         for pass in &self.passes {
             let mesh = &self.meshes[pass.on];
             let places = &here[pass.on];
-            let allowed = |vertex: u32, corners: &[u32; 3]| {
-                self.near.as_ref().is_none_or(|near| !near.any(vertex, corners))
-            };
-            list.faces(&here[pass.of], mesh, places, &Range { allowed, distance, skin: looked });
+            let spread = |body: usize| Spread::new(&self.meshes[body], &self.patches[body], &here[body]);
+            let (own, other) = (spread(pass.of), spread(pass.on));
+            let mut marks = Marks::new(self.near.as_ref(), places.len());
+            list.clear();
+            own.each_near(&other, distance + looked, |patch, near| {
+                let range = Range { distance, skin: looked };
+                list.add_faces((&own, patch), (&other, near), range, &mut marks);
+            });
+            list.sort();
             for (vertex, face) in list.pairs() {
                 let point = here[pass.of][vertex as usize];
                 let pair = nearest(mesh, face, point, places);

@@ -78,9 +78,17 @@ impl SelfContact {
     /// Adds the forces of contact in a state.
     pub fn add(&mut self, state: &[Row], forces: &mut [Row]) {
         self.look(state);
+        if self.rests {
+            return;
+        }
         for (sum, row) in forces.iter_mut().zip(&self.forces) {
             (0..3).for_each(|k| sum[k] += row[k]);
         }
+    }
+
+    /// Whether nothing can touch in this step, so that there are no forces.
+    pub fn rests(&self) -> bool {
+        self.rests
     }
 
     /// Finds what touches in a state, unless that is known.
