@@ -10,7 +10,7 @@ use explicit_dynamics::{Amplitude, Clock};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{CubicSpline, EndWeights, Plate, Vec3, lattice};
 use sph_shell::{
-    Divergence, Formulation, Parts, Reach, Shell, Spring, SpringBetween, Springs, Tool, TurnSpring,
+    Divergence, Formulation, LoadCase, Parts, Reach, Shell, Spring, SpringBetween, Springs, Tool, TurnSpring,
 };
 
 const SIDE: usize = 30;
@@ -47,6 +47,7 @@ fn tools(kind: usize) -> Vec<Tool> {
         turn: 0.0,
         friction: 0.0,
         amplitude: Amplitude::Constant,
+        case: LoadCase::Loading,
         law,
         stiffness,
     }]

@@ -30,6 +30,8 @@ pub struct AnalysisKind {
     pub preloads: bool,
     /// Whether contacts open and close in it.
     pub touches: bool,
+    /// Whether contacts stay in it as a preload leaves them: what touches is a spring, what is apart stays apart.
+    pub freezes: bool,
 }
 
 /// Columns of marches.
@@ -55,6 +57,7 @@ const LEVELLED: AnalysisKind = AnalysisKind {
     wants_tangent: true,
     preloads: false,
     touches: false,
+    freezes: false,
 };
 
 /// What marches are.
@@ -101,6 +104,7 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         name: "a modal analysis",
         columns: &["mode", "circular_frequency", "frequency", "residual"],
         gives_modes: true,
+        freezes: true,
         floats: true,
         wants_driver: false,
         seeks_force: false,
@@ -112,6 +116,7 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         name: "a buckling analysis",
         columns: &["mode", "level", "residual"],
         gives_modes: true,
+        freezes: true,
         preloads: true,
         ..LEVELLED
     },

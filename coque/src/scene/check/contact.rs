@@ -18,7 +18,12 @@ pub(super) fn check_contact(scene: &Scene) -> Verdict {
         }
     }
     let kind = scene.analysis.kind();
-    if !kind.touches {
+    if kind.freezes && scene.is_together() {
+        let bound = format!("none of several bodies in {}, which have no preload", kind.name);
+        let repair = "use [analysis.static] or [analysis.explicit], or leave the contact out";
+        return refuse(scene, "contact", "contact", &bound, repair);
+    }
+    if !(kind.touches || kind.freezes) {
         let bound = format!("none in {}, in which nothing opens or closes", kind.name);
         let repair = "use [analysis.static] or [analysis.explicit], or leave the contact out";
         return refuse(scene, "contact", "contact", &bound, repair);

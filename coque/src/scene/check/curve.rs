@@ -214,6 +214,14 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
         let fault = s.fault("output.fields.contact", "fields of contact", bound, "remove it");
         return Err(SceneError::Choice(fault));
     }
+    if scene.output.fields.is_some_and(|fields| fields.contact) && scene.analysis.kind().freezes {
+        let bound = format!(
+            "none in {}: modes are no states, and contact stays as it was",
+            scene.analysis.kind().name
+        );
+        let fault = s.fault("output.fields.contact", "fields of contact", &bound, "remove it");
+        return Err(SceneError::Choice(fault));
+    }
     if scene.output.fields.is_some_and(|fields| fields.points)
         && scene.as_solid().is_none_or(|solid| solid.galerkin().is_none())
     {
