@@ -42,7 +42,7 @@ fn an_end_that_bears_on_a_flat_is_propped() {
     near(&column(&propped, "circular_frequency"), &of([3.926602, 7.068583, 10.210176]), 3e-3);
     assert!(propped.summary.record.warnings.is_empty(), "{:?}", propped.summary.record.warnings);
     assert!(propped.summary.record.contacts[0].greatest_area > 0.0);
-    let free = frequencies(&[("loads[0].force.total", "[0.0, 0.0, 0.1]")]);
+    let free = frequencies(&[("loads[0].force.total", "[0.0, 0.0, 0.0001]")]);
     near(&free, &of([1.875104, 4.694091, 7.854757]), 3e-3);
 }
 
@@ -54,11 +54,12 @@ fn a_column_that_tools_grip_buckles_in_halves() {
     near(&levels(&[("tools", "[]")])[..1], &[0.25], 6e-3);
 }
 
-/// What the tools press with does not count, nor which is named first, nor one that is far: the same bits there.
+/// What the tools press with hardly counts (round ones bear a part of the force along the column: 1e-4), nor which is named first, nor one that
+/// is far: the same bits there, nor the side from which a flat bears.
 #[test]
 fn a_grip_is_a_grip() {
     let found = levels(&[]);
-    near(&levels(&[("tools[0].moved", "[0, 0, -3e-6]"), ("tools[1].moved", "[0, 0, 3e-6]")]), &found, 1e-6);
+    near(&levels(&[("tools[0].moved", "[0, 0, -3e-6]"), ("tools[1].moved", "[0, 0, 3e-6]")]), &found, 3e-4);
     let tools = |first: &str, z: [f64; 2]| {
         let of = |name: &str, z: f64| {
             format!(
@@ -72,29 +73,37 @@ fn a_grip_is_a_grip() {
     };
     near(&levels(&[("tools", &tools("below", [-1.0, 1.0]))]), &found, 1e-10);
     assert_eq!(levels(&[("tools[+]", FAR)]), found);
-    assert_eq!(frequencies(&[("tools[+]", FAR)]), frequencies(&[]));
+    let bears = frequencies(&[]);
+    assert_eq!(frequencies(&[("tools[+]", FAR)]), bears);
+    // From above in place of from below.
+    let mirrored = [
+        ("tools[0].plane", "{ point = [0, 0, 0.007], normal = [0, 0, -1] }"),
+        ("loads[0].force.total", "[0.0, 0.0, 0.1]"),
+    ];
+    near(&frequencies(&mirrored), &bears, 1e-8);
 }
 
 /// Friction holds an end that would slide along its flat: the frequency along the strip is that of a bar with both ends held, ½ c/L, in place of ¼.
-/// At the limit it is taken to stick, and that is said.
 #[test]
 fn what_grips_sticks() {
     let along = |friction: &'static str| {
         let held = "[{ on = 'all', held = { displacement = [[0, 1, 0]] } }, { on = 'u0', clamped = {} }]";
-        // So thick that its frequency along is among the first.
-        let thick = [("section.homogeneous.thickness", "0.4"), ("tools[0].plane.point", "[0, 0, -0.2]")];
+        // So thick that its frequency along is among the first; contact far stiffer than the strip.
+        let thick = [("section.homogeneous.thickness", "0.4"), ("tools[0].plane.point", "[0, 0, -0.201]")];
         let replaced = [
             ("supports", held),
             ("tools[0].friction", friction),
+            ("tools[0].stiffness", "1e4"),
             ("loads[0].force.total", "[0.0, 0.0, -1000.0]"),
             ("analysis.modal.modes", "6"),
         ];
         done(run(BEAM, &[&thick[..], &replaced].concat()))
     };
-    let speed = 1.2e7_f64.sqrt() / 1000.0_f64.sqrt();
+    let speed = (1.2e7_f64 / 1000.0).sqrt();
+    // Measured 1e-4 and 2.7e-3 off.
     let has = |outcome: &Outcome, part: f64| {
         let wanted = std::f64::consts::TAU * part * speed;
-        column(outcome, "circular_frequency").iter().any(|own| (own / wanted - 1.0).abs() < 3e-3)
+        column(outcome, "circular_frequency").iter().any(|own| (own / wanted - 1.0).abs() < 8e-3)
     };
     let [rough, smooth] = [along("0.5"), along("0")];
     assert!(has(&smooth, 0.25) && !has(&smooth, 0.5), "{:?}", column(&smooth, "circular_frequency"));
@@ -116,21 +125,32 @@ fn contact_that_would_change_is_told() {
     assert!(doubts(&done(run(COLUMN, &[]))).is_empty());
 }
 
-/// A ring pressed into itself vibrates as one whose walls are held together, above what it does without contact.
+/// Half a ring that two forces pinch until its walls meet: its frequencies hang on the force between them, not on how stiff contact is. Measured
+/// 3e-4 for four times the stiffness.
 #[test]
-fn a_shell_pressed_on_itself_is_stiffer() {
-    const RING: &str = "ring-in-itself.toml";
-    let modal = ("analysis", "{ modal = { modes = 2 } }");
-    let coarse = ("geometry.cylinder.particles", "[41, 3]");
-    let preload = ("loads[0].preload", "true");
-    let plain = [modal, coarse, preload, ("curve", "[]"), ("output", "{}")];
-    let touched = done(run(RING, &plain));
-    assert!(touched.summary.record.contacts[0].greatest_area > 0.0);
-    let own = column(&touched, "circular_frequency");
-    assert!(own[0] > 0.0, "{own:?}");
-    // Below the load at which its walls meet there is nothing to freeze.
-    let apart = done(run(RING, &[&plain[..], &[("loads[0].pressure.value", "1.0")]].concat()));
-    assert_eq!(apart.summary.record.contacts[0].greatest_area, 0.0);
+fn a_ring_pressed_on_itself_vibrates_the_same_however_stiff_its_contact() {
+    let of = |contact: &'static str, force: f64| {
+        let push = |on: &str, force: f64| {
+            format!("{{ on = '{on}', force = {{ total = [0, 0, {force:.1}] }}, preload = true }}")
+        };
+        let loads = format!("[{}, {}]", push("u0", -force), push("u1", force));
+        let modal = ("analysis", "{ modal = { modes = 3 } }");
+        let replaced = [
+            ("geometry.cylinder.particles", "[41, 3]"),
+            ("loads", &loads[..]),
+            ("contact", contact),
+            modal,
+            ("curve", "[]"),
+            ("output", "{}"),
+        ];
+        done(run("ring-in-itself.toml", &replaced))
+    };
+    let [once, four] = ["[{}]", "[{ stiffness = 4.0 }]"].map(|contact| of(contact, 10.0));
+    assert!(once.summary.record.contacts[0].greatest_area > 0.0);
+    near(&column(&four, "circular_frequency"), &column(&once, "circular_frequency"), 1e-3);
+    // While its walls are apart it is one without contact.
+    let [apart, without] = ["[{}]", "[]"].map(|contact| column(&of(contact, 1.0), "circular_frequency"));
+    near(&apart, &without, 1e-9);
 }
 
 fn refused(name: &str, replaced: Replaced) -> String {

@@ -48,6 +48,8 @@ pub(crate) struct Loading {
 enum Part {
     /// All of them at an instant.
     Whole(Instant),
+    /// All but contact.
+    Loads(Instant),
     /// What a unit of level adds to them.
     Rate { level: f64 },
 }
@@ -134,6 +136,24 @@ impl Loading {
         self.sum(Part::Whole(at), |applied| applied.scale(at, under_way), reference, dependents, motion);
     }
 
+    /// The same without contact.
+    pub fn evaluate_loads(
+        &mut self,
+        at: Instant,
+        reference: &Reference,
+        dependents: &mut Dependents,
+        motion: &mut Moving,
+    ) {
+        let under_way = self.case;
+        self.sum(Part::Loads(at), |applied| applied.scale(at, under_way), reference, dependents, motion);
+    }
+
+    /// Energy of contact for the forces last evaluated \[F L\].
+    pub fn contact_energy(&self) -> f64 {
+        let own = self.own_contact.as_ref().map_or(0.0, |own| own.touch().energy);
+        self.tools.touches().iter().map(|touch| touch.energy).sum::<f64>() + own
+    }
+
     /// Evaluates what a unit of level adds at a level to the loads of the case that is under way.
     pub fn evaluate_rate(
         &mut self,
@@ -163,7 +183,7 @@ impl Loading {
         }
         dependents.ties.put(&mut motion.state);
         let now = match part {
-            Part::Whole(at) => Some(at),
+            Part::Whole(at) | Part::Loads(at) => Some(at),
             Part::Rate { .. } => None,
         };
         let touching = match part {
@@ -228,6 +248,7 @@ impl Loading {
                     own.iter_mut().for_each(|own| own.add(&motion.state, external));
                 }
             },
+            Part::Loads(_) => {}
             Part::Rate { level } => {
                 tools.add_rates(Instant { time: 0.0, level }, *case, &motion.state, external)
             }

@@ -35,7 +35,8 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 64] = [
+const EXAMPLES: [Example; 65] = [
+    Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),

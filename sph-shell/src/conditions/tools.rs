@@ -129,9 +129,9 @@ impl Tools {
         })
     }
 
-    /// Whether the motion of any of them belongs to the preload.
-    pub fn has_preload(&self) -> bool {
-        self.tools.iter().any(|tool| tool.case == LoadCase::Preload && tool.motion != Pose::default())
+    /// Whether the motion of any of them belongs to a load case.
+    pub fn move_in(&self, case: LoadCase) -> bool {
+        self.tools.iter().any(|tool| tool.case == case && tool.motion != Pose::default())
     }
 
     /// Whether there are none.

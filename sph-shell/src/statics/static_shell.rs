@@ -163,7 +163,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let shell = &*self.shell;
         let moves = |a: &u32| shell.constraint(*a as usize).is_some_and(|held| held.has_preload());
         shell.loading.loads.iter().any(|applied| applied.load.case() == LoadCase::Preload)
-            || shell.loading.tools.has_preload()
+            || shell.loading.tools.move_in(LoadCase::Preload)
             || self.moved.iter().any(moves)
     }
 

@@ -54,6 +54,24 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         of_tools.into_iter().chain(of_itself).reduce(FrontChange::sooner)
     }
 
+    /// Adds to bounds of the sums over rows what contact adds to those of translations where all of the shell touches, at depths out of the barrier.
+    pub(super) fn add_contact_bounds(&self, out: &mut [f64]) {
+        if !self.shell.may_touch() {
+            return;
+        }
+        let Shell { loading, motion, .. } = &*self.shell;
+        let mut aside = motion.state.to_vec();
+        aside.iter_mut().for_each(|row| row[0] += self.shell.thickness());
+        let mut bounds = vec![[0.0; 6]; aside.len()];
+        loading.add_contact_bounds(&aside, &motion.state, &mut bounds);
+        for a in 0..self.shell.len() {
+            let [force, ..] = self.shell.gathered(a, |a| bounds[a]);
+            let bound = -force / self.shell.thickness();
+            let own = self.dofs.of(a);
+            out[own][..self.basis(a).translations].iter_mut().for_each(|sum| *sum += bound);
+        }
+    }
+
     /// Gaps of the shell to itself at particles; none where it may not touch itself.
     fn own_gaps(&self, particles: &[u32]) -> Vec<f64> {
         let own = self.shell.loading.own_contact.as_ref();

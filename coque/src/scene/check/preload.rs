@@ -1,6 +1,7 @@
 //! Checks of the preload: which conditions, bodies and analyses it goes with.
 
 use crate::scene::analysis::Analysis;
+use crate::scene::analysis_kind::Contacts;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::statics::Prebuckling;
@@ -52,7 +53,7 @@ pub(super) fn check_preload(scene: &BodyInScene<'_>) -> Verdict {
 /// Refuses contact that stays as it is where nothing brings it about, and friction of a shell on itself there.
 fn check_frozen(scene: &BodyInScene<'_>) -> Verdict {
     let kind = scene.analysis.kind();
-    if !(kind.freezes && scene.may_touch()) {
+    if !(kind.contacts == Contacts::Frozen && scene.may_touch()) {
         return Ok(());
     }
     let tools = scene.as_shell().is_some_and(|shell| !shell.tools.is_empty());

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::scene::analysis_kind::Contacts;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::conditions::check_course;
 use crate::scene::error::{SceneError, Verdict};
@@ -22,16 +23,15 @@ pub(in crate::scene::check) fn check_tools(
     let refuse = |bound: String, repair: &str| {
         Err(SceneError::Choice(s.fault("tools", "tools that the shell may touch", &bound, repair)))
     };
-    if kind.freezes && scene.together {
-        let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
-        return refuse(
-            format!("none on one of several bodies in {}, which have no preload", kind.name),
-            repair,
-        );
-    }
-    if !(kind.touches || kind.freezes) {
-        let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
-        return refuse(format!("none in {}, in which nothing opens or closes", kind.name), repair);
+    let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
+    match kind.contacts {
+        Contacts::None => {
+            return refuse(format!("none in {}, in which nothing opens or closes", kind.name), repair);
+        }
+        Contacts::Frozen | Contacts::Smooth if scene.together => {
+            return refuse(format!("none on one of several bodies in {}", kind.name), repair);
+        }
+        _ => {}
     }
     if scene.in_fluid {
         return refuse("none in a fluid".into(), "leave them out");
@@ -54,6 +54,11 @@ pub(in crate::scene::check) fn check_tools(
             own.sized_all("moved", moved)?;
         }
         check_turn(tool, &own)?;
+        if kind.contacts == Contacts::Smooth && tool.is_rough() {
+            let bound = format!("smooth in {}, whose steps go to and fro", kind.name);
+            let repair = "use [analysis.static] or [analysis.explicit], or leave `friction` out";
+            return Err(SceneError::Choice(own.fault("friction", "friction", &bound, repair)));
+        }
         check_preloaded(scene, tool, &own)?;
         if let Some(word) = tool.moved.map(|_| "moved").or(tool.turn.map(|_| "turn")) {
             check_course(scene, &s.path(&format!("tools[{i}]")), word, tool.amplitude.as_ref())?;
@@ -97,7 +102,7 @@ fn check_preloaded(scene: &BodyInScene<'_>, tool: &ToolScene, s: &Scope<'_>) -> 
         };
         return refuse("preload", "a preload", &format!("none in {}", kind.name), repair);
     }
-    if kind.freezes && tool.is_driven_by_level() {
+    if kind.contacts == Contacts::Frozen && tool.is_driven_by_level() {
         let word = if tool.moved.is_some() { "moved" } else { "turn" };
         let bound = format!("a part of the preload in {}, in which contact stays as it is", kind.name);
         return refuse(word, "a motion", &bound, "add `preload = true`, or let the tool stand");
