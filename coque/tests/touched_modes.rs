@@ -29,7 +29,7 @@ fn near(found: &[f64], wanted: &[f64], tolerance: f64) {
     assert!(found.len() == wanted.len() && off < tolerance, "{found:?} {wanted:?}: {off:.1e}");
 }
 
-fn doubts(outcome: &Outcome) -> Vec<&str> {
+fn contact_warnings(outcome: &Outcome) -> Vec<&str> {
     let all = outcome.summary.record.warnings.iter();
     all.filter(|own| own.kind == WarningKind::FrozenContact).map(|own| &own.message[..]).collect()
 }
@@ -112,17 +112,17 @@ fn what_grips_sticks() {
 
 /// A force that hardly presses lets go at once; a load that pulls the column off its tools before it buckles does so by the linear answer.
 #[test]
-fn contact_that_would_change_is_told() {
+fn contact_that_would_change_is_warned_of() {
     let pressed = done(run(BEAM, &[]));
-    assert!(doubts(&pressed).is_empty());
+    assert!(contact_warnings(&pressed).is_empty());
     let hardly = done(run(BEAM, &[("loads[0].force.total", "[0.0, 0.0, -0.0007]")]));
-    let said = doubts(&hardly);
+    let said = contact_warnings(&hardly);
     assert!(said.len() == 1 && said[0].contains("mode 3 opens it at [1.0"), "{said:?}");
     let aside = "{ on = 'all', force = { total = [0.0, 0.0, 400.0], by_area = true } }";
     let pulled = done(run(COLUMN, &[("loads[+]", aside)]));
-    let said = doubts(&pulled);
+    let said = contact_warnings(&pulled);
     assert!(said.len() == 1 && said[0].contains("the load opens it at [0.5"), "{said:?}");
-    assert!(doubts(&done(run(COLUMN, &[]))).is_empty());
+    assert!(contact_warnings(&done(run(COLUMN, &[]))).is_empty());
 }
 
 /// Half a ring that two forces pinch until its walls meet: its frequencies hang on the force between them, not on how stiff contact is. Measured

@@ -72,7 +72,7 @@ fn an_arch_that_snaps_lands_and_the_path_goes_on() {
     };
     assert!(limits(&landed).len() == 4 && limits(&landed) == limits(&free));
     let relaxed = done(run(ARCH, &[("analysis", "{ relaxation = { levels = [0.1, 0.2, 0.3, 1.0, 3.0] } }")]));
-    assert!(warned(&relaxed, WarningKind::PassedCritical), "the snap is not told");
+    assert!(warned(&relaxed, WarningKind::PassedCritical), "no warning of the snap");
     // Measured 7e-8.
     for name in ["w", "F"] {
         let [path, snapped] = [&landed, &relaxed].map(|one| last(one, name));
