@@ -82,6 +82,11 @@ impl Friction {
         Some((grip.stretch, self.coefficient))
     }
 
+    /// The same anchors in a friction without a limit: nothing slips.
+    pub fn without_slip(&self) -> Self {
+        Self { coefficient: f64::INFINITY, ..self.clone() }
+    }
+
     /// The committed anchors as seven numbers a vertex.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
         let of = |grip: &Grip| {

@@ -77,6 +77,7 @@
 //! | bodies that are too near although nothing acts between them | `unseen.rs` |
 //! | friction on tools, its anchors, what it loses | `friction.rs` |
 //! | friction of surfaces on each other, anchors in their faces | `surfaces/rubbing.rs`; their history `surfaces/remembering.rs`, `grips.rs` |
+//! | how far a motion may go before what touches a tool is another | `changes.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
 //! | springs between places of two bodies | `joints.rs` |
 //!
@@ -99,6 +100,7 @@
 //! | an even depth makes even forces on unlike cells, momentum is kept, an old list and a new one give the same bits | tests/surfaces.rs |
 #![warn(missing_docs)]
 
+mod changes;
 mod edges;
 mod euler;
 mod friction;
@@ -121,6 +123,7 @@ mod touch;
 mod unseen;
 mod watch;
 
+pub use changes::{FrontChange, Motion, Turn};
 pub use friction::Friction;
 pub use joints::{Joint, Joints};
 pub use law::Law;

@@ -75,7 +75,9 @@ pub enum ToolError {
     #[error("a tool stands at a place that is not finite")]
     Place,
     /// A box without room inside.
-    #[error("a block reaches from {0} to {1} along an axis; its greatest coordinates have to be above the least ones")]
+    #[error(
+        "a block reaches from {0} to {1} along an axis; its greatest coordinates have to be above the least ones"
+    )]
     Ends(f64, f64),
     /// A normal or an axis without a direction.
     #[error("a tool has a normal or an axis of length zero; name a direction")]
@@ -116,7 +118,8 @@ impl ToolShape {
             }
             Self::Capsule { ends, radius } => Self::Capsule { ends, radius: positive(radius)? },
             Self::Block { min, max } => {
-                let narrow = (0..3).find(|&k| max[k].partial_cmp(&min[k]) != Some(std::cmp::Ordering::Greater));
+                let narrow =
+                    (0..3).find(|&k| max[k].partial_cmp(&min[k]) != Some(std::cmp::Ordering::Greater));
                 narrow.map_or(Ok(self), |k| Err(ToolError::Ends(min[k], max[k])))?
             }
         })
@@ -236,7 +239,8 @@ impl ToolShape {
 
 /// The side of a block that is nearest to a point inside.
 fn side(x: &Vec3, min: &Vec3, max: &Vec3) -> Face {
-    let sides = (0..3).flat_map(|k| [(x[k] - max[k], Vec3::ith(k, 1.0)), (min[k] - x[k], Vec3::ith(k, -1.0))]);
+    let sides =
+        (0..3).flat_map(|k| [(x[k] - max[k], Vec3::ith(k, 1.0)), (min[k] - x[k], Vec3::ith(k, -1.0))]);
     let inner = |best: Face, (distance, normal)| {
         if distance > best.distance { Face { distance, normal } } else { best }
     };
@@ -261,7 +265,9 @@ impl Space {
     fn projection(&self) -> Matrix3<f64> {
         match *self {
             Self::All => Matrix3::identity(),
-            Self::Axes(own) => Matrix3::from_diagonal(&Vec3::from(own.map(|own| if own { 1.0 } else { 0.0 }))),
+            Self::Axes(own) => {
+                Matrix3::from_diagonal(&Vec3::from(own.map(|own| if own { 1.0 } else { 0.0 })))
+            }
             Self::Across { axis, square } => Matrix3::identity() - axis * axis.transpose() / square,
         }
     }
@@ -283,7 +289,10 @@ mod tests {
             ToolShape::Sphere { centre: a, radius: 0.4 },
             ToolShape::Cylinder { point: a, axis: b, radius: 0.3 },
             ToolShape::Capsule { ends: [a, b], radius: 0.2 },
-            ToolShape::Block { min: Vec3::new(-0.3, -0.2, f64::NEG_INFINITY), max: Vec3::new(0.4, 0.25, 0.5) },
+            ToolShape::Block {
+                min: Vec3::new(-0.3, -0.2, f64::NEG_INFINITY),
+                max: Vec3::new(0.4, 0.25, 0.5),
+            },
         ]
         .map(|tool| tool.checked().unwrap())
     }
@@ -340,7 +349,10 @@ mod tests {
         let block = ToolShape::Block { min: Vec3::zeros(), max: Vec3::new(2.0, 2.0, 1.0) };
         let from = |x: [f64; 3]| block.checked().unwrap().gap(&x.into(), &Vec3::x());
         assert_eq!((at(block).distance, at(block).normal), (4.0, Vec3::z()));
-        assert_eq!((from([2.0, 0.1, 1.5]).distance, from([2.0, 0.1, 1.5]).curvature), (0.5, Matrix3::zeros()));
+        assert_eq!(
+            (from([2.0, 0.1, 1.5]).distance, from([2.0, 0.1, 1.5]).curvature),
+            (0.5, Matrix3::zeros())
+        );
         // Over an edge 3 and 4 away, and inside, nearest to the side y = 0.
         assert_eq!((from([6.0, 1.0, 5.0]).distance, from([6.0, 1.0, 5.0]).curvature[(1, 1)]), (5.0, 0.0));
         assert_eq!((from([2.0, 0.1, 0.5]).distance, from([2.0, 0.1, 0.5]).normal), (-0.1, -Vec3::y()));

@@ -116,6 +116,8 @@ pub enum WarningKind {
     CoarseContact,
     /// Steps in time that contact made much shorter.
     ShortenedStep,
+    /// Modes and levels of a touched state in which contact would not stay as it was.
+    FrozenContact,
     /// Bodies between which no contact is named, or parts of a shell, that are in each other.
     TouchingUnseen,
     /// States at which a march came to rest without a look at whether they are stable.
@@ -183,6 +185,7 @@ impl WarningKind {
             Self::DeepContact => "deep-contact",
             Self::CoarseContact => "coarse-contact",
             Self::ShortenedStep => "shortened-step",
+            Self::FrozenContact => "frozen-contact",
             Self::TouchingUnseen => "touching-unseen",
             Self::StabilityUnknown => "stability-unknown",
             Self::OpenBalance => "open-balance",
@@ -268,6 +271,7 @@ mod tests {
             WarningKind::DeepContact,
             WarningKind::CoarseContact,
             WarningKind::ShortenedStep,
+            WarningKind::FrozenContact,
             WarningKind::TouchingUnseen,
             WarningKind::StabilityUnknown,
             WarningKind::OpenBalance,

@@ -78,8 +78,8 @@ pub struct BucklingMode {
     /// Rayleigh's quotient of the shape with the other [`Prebuckling`], as a level \[–\]: where the change of shape before
     /// buckling does not count it is the level itself. None where the system does not part the two.
     pub otherwise: Option<f64>,
-    /// Largest entry of the linear response from the base state to the level \[L\].
-    pub before: f64,
+    /// The linear response from the base state to the level.
+    pub before: Vec<f64>,
     /// Shape, its largest entry 1.
     pub shape: Vec<f64>,
 }
@@ -135,7 +135,7 @@ pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
         let largest = one.shape.iter().fold(0.0, |best: f64, &s| if s.abs() > best.abs() { s } else { best });
         let shape = one.shape.iter().map(|s| s / largest).collect();
         let otherwise = geometric.other.as_deref().map(|other| quotient(&one.shape, other));
-        let before = geometric.moved * one.value.abs();
+        let before = geometric.response.iter().map(|u| u * one.value).collect();
         BucklingMode { level: level + one.value, residual: one.residual, otherwise, before, shape }
     });
     let Counted { from, to, number } = found.counted;

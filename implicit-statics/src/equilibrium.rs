@@ -132,6 +132,21 @@ pub trait Equilibrium {
         1.0
     }
 
+    /// Whether tools that may touch it go with the level: a relaxation brings them along as it does held values.
+    fn has_moving_tools(&self) -> bool {
+        false
+    }
+
+    /// `out` as of [`Equilibrium::external`] without the forces of contact, which have an energy of their own.
+    fn external_without_contact(&mut self, level: f64, out: &mut [f64]) {
+        self.external(level, out);
+    }
+
+    /// Energy of the contact in the external forces last evaluated \[F L\].
+    fn contact_energy(&self) -> f64 {
+        0.0
+    }
+
     /// Lengths over which softened contact gives, longest first, for Newton's method to find what touches in stages \[L\]; none, the
     /// default, where nothing touches or softening tells nothing.
     fn stages_of_contact(&self) -> Vec<f64> {

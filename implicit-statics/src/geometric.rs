@@ -52,8 +52,8 @@ pub(crate) struct Geometric {
     pub asked: Vec<f64>,
     /// The other kind; none where the system cannot part its stresses from its shape.
     pub other: Option<Vec<f64>>,
-    /// Largest entry of the linear response to a unit of level.
-    pub moved: f64,
+    /// The linear response to a unit of level.
+    pub response: Vec<f64>,
 }
 
 /// `K_g` about the equilibrium at `level`, by central differences between the levels ± δ along the linear response.
@@ -72,7 +72,6 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
     system.load_rate(level, &mut response);
     let load = norm(&response);
     solver.solve(&mut response).map_err(|error| error.named(system, 0, level))?;
-    let moved = response.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
 
     let mut difference = |kind: Prebuckling, delta: f64| -> Option<Vec<f64>> {
         let mut ends = [vec![0.0; pattern.len()], vec![0.0; pattern.len()]];
@@ -100,7 +99,8 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
         let asked = difference(kind, delta).ok_or(EquilibriumError::Inseparable)?;
         change = delta * scaled(&asked) / stiffness;
         if (0.5..2.0).contains(&(change / PRESTRESS)) {
-            return Ok(Geometric { asked, other: difference(kind.other(), delta), moved });
+            let other = difference(kind.other(), delta);
+            return Ok(Geometric { asked, other, response });
         }
         // far from the goal the change may be all rounding: approach by bounded factors
         delta *= (PRESTRESS / change).clamp(1e-4, 1e4);
@@ -109,5 +109,6 @@ pub(crate) fn along_load<E: Equilibrium + ?Sized>(
         return Err(EquilibriumError::NoPrestress { level, load, change });
     }
     let asked = difference(kind, delta).ok_or(EquilibriumError::Inseparable)?;
-    Ok(Geometric { asked, other: difference(kind.other(), delta), moved })
+    let other = difference(kind.other(), delta);
+    Ok(Geometric { asked, other, response })
 }

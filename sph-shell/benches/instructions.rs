@@ -10,7 +10,7 @@ use explicit_dynamics::{Amplitude, Clock};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{Cell, Cloud, CubicSpline, EndWeights, Plate, Vec3, lattice};
 use sph_shell::{
-    Divergence, Formulation, OwnContact, Parts, Reach, Shell, Spring, SpringBetween, Springs, Tool,
+    Divergence, Formulation, LoadCase, OwnContact, Parts, Reach, Shell, Spring, SpringBetween, Springs, Tool,
     TurnSpring,
 };
 
@@ -59,6 +59,7 @@ fn tools(kind: usize) -> Vec<Tool> {
         turn: 0.0,
         friction: 0.0,
         amplitude: Amplitude::Constant,
+        case: LoadCase::Loading,
         law,
         stiffness,
     }]

@@ -4,6 +4,7 @@ use explicit_dynamics::{Instant, Push};
 use sph_core::Vec3;
 
 use crate::conditions::case::LoadCase;
+use crate::conditions::frozen::FrozenContact;
 use crate::conditions::loads::{AppliedLoad, Block, Body};
 use crate::conditions::own_contact::SelfContact;
 use crate::conditions::springs::Springs;
@@ -26,6 +27,8 @@ pub(crate) struct Loading {
     pub tools: Tools,
     /// The shell as it touches itself.
     pub own_contact: Option<Box<SelfContact>>,
+    /// Contact as it stood in a state, in place of what touches now.
+    pub frozen: Option<Box<FrozenContact>>,
     /// What a fluid wets.
     pub wetted: Option<Box<Surface>>,
     /// Forces that a function exerts.
@@ -45,6 +48,8 @@ pub(crate) struct Loading {
 enum Part {
     /// All of them at an instant.
     Whole(Instant),
+    /// All but contact.
+    Loads(Instant),
     /// What a unit of level adds to them.
     Rate { level: f64 },
 }
@@ -70,6 +75,7 @@ impl Loading {
             springs,
             tools,
             own_contact,
+            frozen: None,
             wetted,
             push: None,
             exerted: Vec::new(),
@@ -130,6 +136,24 @@ impl Loading {
         self.sum(Part::Whole(at), |applied| applied.scale(at, under_way), reference, dependents, motion);
     }
 
+    /// The same without contact.
+    pub fn evaluate_loads(
+        &mut self,
+        at: Instant,
+        reference: &Reference,
+        dependents: &mut Dependents,
+        motion: &mut Moving,
+    ) {
+        let under_way = self.case;
+        self.sum(Part::Loads(at), |applied| applied.scale(at, under_way), reference, dependents, motion);
+    }
+
+    /// Energy of contact for the forces last evaluated \[F L\].
+    pub fn contact_energy(&self) -> f64 {
+        let own = self.own_contact.as_ref().map_or(0.0, |own| own.touch().energy);
+        self.tools.touches().iter().map(|touch| touch.energy).sum::<f64>() + own
+    }
+
     /// Evaluates what a unit of level adds at a level to the loads of the case that is under way.
     pub fn evaluate_rate(
         &mut self,
@@ -159,12 +183,12 @@ impl Loading {
         }
         dependents.ties.put(&mut motion.state);
         let now = match part {
-            Part::Whole(at) => Some(at),
+            Part::Whole(at) | Part::Loads(at) => Some(at),
             Part::Rate { .. } => None,
         };
         let touching = match part {
-            Part::Whole(at) => self.tools.evaluate(at, self.case, &motion.state),
-            Part::Rate { .. } => true,
+            Part::Whole(at) if self.frozen.is_none() => self.tools.evaluate(at, self.case, &motion.state),
+            _ => true,
         };
         let tools_alone = self.loads.is_empty()
             && self.spring_forces.is_empty()
@@ -184,6 +208,7 @@ impl Loading {
             springs,
             tools,
             own_contact,
+            frozen,
             wetted,
             push,
             exerted,
@@ -216,12 +241,14 @@ impl Loading {
             }
         }
         match part {
-            Part::Whole(_) => {
-                tools.add(external);
-                if let Some(own) = own_contact {
-                    own.add(&motion.state, external);
+            Part::Whole(_) => match (frozen, own_contact) {
+                (Some(frozen), _) => frozen.add(&motion.state, external),
+                (None, own) => {
+                    tools.add(external);
+                    own.iter_mut().for_each(|own| own.add(&motion.state, external));
                 }
-            }
+            },
+            Part::Loads(_) => {}
             Part::Rate { level } => {
                 tools.add_rates(Instant { time: 0.0, level }, *case, &motion.state, external)
             }
@@ -265,10 +292,27 @@ impl Loading {
             applied.load.stiffness(scale, body, put);
         }
         self.springs.stiffness(body, put);
+        if let Some(frozen) = &self.frozen {
+            return frozen.stiffness(put);
+        }
         self.tools.stiffness(Instant { time: 0.0, level }, self.case, body.state, put);
         if let Some(own) = &self.own_contact {
             own.tangent(body.state, put);
         }
+    }
+
+    /// Freezes contact as it stands at a level in a state, at which forces were last evaluated.
+    pub fn freeze(&mut self, level: f64, state: &[Row]) {
+        let mut blocks = Vec::new();
+        let mut put = |a: u32, b: u32, block: &Block| blocks.push((a, b, *block));
+        self.tools.stiffness_that_sticks(Instant { time: 0.0, level }, self.case, state, &mut put);
+        let mut forces = vec![[0.0; 6]; state.len()];
+        self.tools.add(&mut forces);
+        if let Some(own) = &mut self.own_contact {
+            own.tangent(state, &mut put);
+            own.add(state, &mut forces);
+        }
+        self.frozen = Some(Box::new(FrozenContact::new(state, forces, blocks)));
     }
 
     /// Couples of the loads on rigid bodies at level one, with the particle that stands for each body \[F L\].

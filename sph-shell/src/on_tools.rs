@@ -5,6 +5,7 @@ use explicit_dynamics::Instant;
 use sph_core::Vec3;
 
 use crate::Shell;
+use crate::conditions::case::LoadCase;
 
 impl Shell {
     /// Evaluates loads and tools at an instant; what each tool and the shell do to each other there.
@@ -16,6 +17,16 @@ impl Shell {
     /// Least gaps between its faces and those of each tool at an instant \[L\], negative where they are in each other.
     pub fn tool_gaps(&self, at: Instant) -> Vec<f64> {
         self.loading.tools.least_gaps(at, self.loading.case, &self.motion.state)
+    }
+
+    /// What each tool and the shell do to each other before a preload or a load moves anything, with the least gap between their faces \[L\].
+    pub fn touches_before_all(&mut self) -> Vec<(Touch, f64)> {
+        let (at, case) = (Instant { time: 0.0, level: 0.0 }, self.loading.case);
+        self.loading.case = LoadCase::Preload;
+        let touches = self.touch(at).to_vec();
+        let gaps = self.tool_gaps(at);
+        self.loading.case = case;
+        touches.into_iter().zip(gaps).collect()
     }
 
     /// Whether there are tools that it may touch.

@@ -24,6 +24,7 @@ fn flat(point: Vec3, normal: Vec3, moved: Vec3, spacing: f64) -> Tool {
         turn: 0.0,
         friction: 0.0,
         amplitude: Amplitude::Constant,
+        case: LoadCase::Loading,
         law: Law::SHARP,
         stiffness: stiffness(YOUNG, THICKNESS, spacing),
     }

@@ -16,7 +16,8 @@ use implicit_statics::{Control, End, Equilibrium, PathOptions, Start, follow, st
 use nalgebra::Matrix3;
 use sph_core::{Cylinder, EndWeights, Side, Vec3, lattice};
 use sph_shell::{
-    Clamped, Force, Formulation, Load, Parts, Reach, RigidSet, Shell, StaticShell, SymmetryPlane, Tool,
+    Clamped, Force, Formulation, Load, LoadCase, Parts, Reach, RigidSet, Shell, StaticShell, SymmetryPlane,
+    Tool,
 };
 
 const CELL: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -29,6 +30,7 @@ fn still(shape: ToolShape, stiffness: f64) -> Tool {
         turn: 0.0,
         friction: 0.0,
         amplitude: Amplitude::Constant,
+        case: LoadCase::Loading,
         law: Law::new(0.0).unwrap(),
         stiffness,
     }
@@ -133,6 +135,7 @@ fn ring(cells: usize, thickness: f64, down: f64, law: Law) -> Shell {
         turn: 0.0,
         friction: 0.0,
         amplitude: Amplitude::Constant,
+        case: LoadCase::Loading,
         law,
         stiffness: stiffness(YOUNG, thickness, spacing),
     };

@@ -205,7 +205,7 @@ if TYPE_CHECKING:
     ToolCapsule = TypedDict("ToolCapsule", {"ends": Sequence[Sequence[float]], "radius": float})
     ToolCylinder = TypedDict("ToolCylinder", {"axis": Sequence[float], "point": Sequence[float], "radius": float})
     ToolPlane = TypedDict("ToolPlane", {"normal": Sequence[float], "point": Sequence[float]})
-    ToolScene = TypedDict("ToolScene", {"amplitude": NotRequired["Amplitude"], "capsule": NotRequired["ToolCapsule"], "cylinder": NotRequired["ToolCylinder"], "friction": NotRequired[float], "moved": NotRequired[Sequence[float]], "name": str, "plane": NotRequired["ToolPlane"], "rounding": NotRequired[float], "sphere": NotRequired["ToolSphere"], "stiffness": NotRequired[float], "turn": NotRequired[float]})
+    ToolScene = TypedDict("ToolScene", {"amplitude": NotRequired["Amplitude"], "capsule": NotRequired["ToolCapsule"], "cylinder": NotRequired["ToolCylinder"], "friction": NotRequired[float], "moved": NotRequired[Sequence[float]], "name": str, "plane": NotRequired["ToolPlane"], "preload": NotRequired[bool], "rounding": NotRequired[float], "sphere": NotRequired["ToolSphere"], "stiffness": NotRequired[float], "turn": NotRequired[float]})
     ToolSphere = TypedDict("ToolSphere", {"centre": Sequence[float], "radius": float})
     Traction = TypedDict("Traction", {"depth": NotRequired[float], "value": Sequence[float]})
     Transient = TypedDict("Transient", {"damping": NotRequired[float], "duration": float, "record_every": float})

@@ -5,6 +5,7 @@ mod breaking;
 mod course;
 mod criticality;
 mod estimate;
+mod frozen;
 mod linear;
 mod march;
 mod modes;

@@ -9,6 +9,7 @@ use implicit_statics::{
 };
 use sph_core::Vec3;
 
+use super::frozen::{of_buckling, of_vibration};
 use crate::WarningKind;
 use crate::bodies::{StaticBody, extent};
 use crate::run::Run;
@@ -36,6 +37,7 @@ const MOVED: f64 = 0.05;
 /// Finds the lowest modes of vibration.
 pub(crate) fn modal(count: usize, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     run.record.stable_step = system.stable_step();
+    freeze_contact(system, run);
     if run.record.preload.is_some() {
         run.record.warnings.extend(system.doubtful_modes(count));
     }
@@ -66,6 +68,10 @@ pub(crate) fn modal(count: usize, system: &mut dyn StaticBody, run: &mut Run<'_>
         );
         run.record.warn(WarningKind::Unstable, message);
     }
+    let shapes: Vec<&[f64]> = modes.iter().map(|mode| &mode.shape[..]).collect();
+    if let Some(message) = of_vibration(system, &shapes) {
+        run.record.warn(WarningKind::FrozenContact, message);
+    }
     for (number, mode) in modes.iter().enumerate() {
         let omega = mode.circular_frequency();
         run.curve.rows.push(vec![number as f64 + 1.0, omega, omega / TAU, mode.residual]);
@@ -76,6 +82,12 @@ pub(crate) fn modal(count: usize, system: &mut dyn StaticBody, run: &mut Run<'_>
     Ended::Done
 }
 
+/// Freezes what touches as the preload left it, and notes what that is.
+fn freeze_contact(system: &mut dyn StaticBody, run: &mut Run<'_>) {
+    system.freeze_contact(0.0);
+    run.contact.note(&*system, [0.0, 0.0], &mut run.record);
+}
+
 /// How many squares of frequencies are below zero by more than rounding puts there; `fastest` is the greatest frequency \[1/T\].
 fn below_zero(squares: impl Iterator<Item = f64>, fastest: f64) -> usize {
     squares.filter(|&square| square < -ROUNDED * fastest * fastest).count()
@@ -84,6 +96,7 @@ fn below_zero(squares: impl Iterator<Item = f64>, fastest: f64) -> usize {
 /// Finds the buckling levels nearest to zero.
 pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     run.warn_of_skew_loads(system.skew_load_share());
+    freeze_contact(system, run);
     let options =
         BucklingOptions { count: wanted.modes.get(), sign: wanted.sign, prebuckling: wanted.prebuckling };
     let spectrum = linear_buckling(system, 0.0, &options, &mut watch(run));
@@ -109,6 +122,9 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn StaticBody, run: &mut
     {
         run.record.warn(WarningKind::ChangedShape, message);
     }
+    if let Some(message) = of_buckling(system, &modes) {
+        run.record.warn(WarningKind::FrozenContact, message);
+    }
     for (number, mode) in modes.iter().enumerate() {
         run.curve.rows.push(vec![number as f64 + 1.0, mode.level, mode.residual]);
         if keep(system, &mode.shape, mode.level, run).is_break() {
@@ -120,7 +136,8 @@ pub(crate) fn buckling(wanted: &Buckling, system: &mut dyn StaticBody, run: &mut
 
 /// What is doubtful about a level that hangs on the linearisation; `reach` the least extent of the body.
 fn changed_shape(mode: &BucklingMode, kind: Prebuckling, reach: f64) -> Option<String> {
-    let BucklingMode { level, otherwise, before, .. } = *mode;
+    let BucklingMode { level, otherwise, .. } = *mode;
+    let before = mode.before.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
     let Some(otherwise) = otherwise else {
         return (before > MOVED * reach).then(|| {
             format!(

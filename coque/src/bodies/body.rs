@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use contact::NodalContact;
+use contact::{FrontChange, NodalContact};
 use explicit_dynamics::{Dynamics, Exert, Shortened};
 use implicit_statics::Equilibrium;
 use serde::{Deserialize, Serialize};
@@ -193,6 +193,14 @@ pub trait StaticBody: Body + Equilibrium {
 
     /// Ends the preload, which is held from here on: levels count all else.
     fn end_preload(&mut self) {}
+
+    /// Freezes contact as it stands at a level: what touches is a spring from here on, and what is apart stays apart.
+    fn freeze_contact(&mut self, _level: f64) {}
+
+    /// The first change along a motion of what touched when contact was frozen; none where nothing changes.
+    fn first_change(&mut self, _motion: &[f64]) -> Option<FrontChange> {
+        None
+    }
 
     /// What may be wrong with the states that were kept, known once they are.
     fn warnings(&self) -> Vec<Warning> {

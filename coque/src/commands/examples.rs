@@ -35,7 +35,8 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 63] = [
+const EXAMPLES: [Example; 66] = [
+    Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
@@ -43,6 +44,7 @@ const EXAMPLES: [Example; 63] = [
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
     Example::new("capstan", 10.0, include_str!("../../../scenes/capstan.toml")),
     Example::new("clamped-cap", 2.0, include_str!("../../../scenes/clamped-cap.toml")),
+    Example::new("column-between-tools", 0.1, include_str!("../../../scenes/column-between-tools.toml")),
     Example::new("column-buckling", 0.1, include_str!("../../../scenes/column-buckling.toml")),
     Example::new("crack-branching", 3.0, include_str!("../../../scenes/crack-branching.toml")),
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
@@ -75,6 +77,7 @@ const EXAMPLES: [Example; 63] = [
     Example::new("plate-pd", 6.0, include_str!("../../../scenes/plate-pd.toml")),
     Example::new("plate-shortened", 2.0, include_str!("../../../scenes/plate-shortened.toml")),
     Example::new("plate-solid", 5.0, include_str!("../../../scenes/plate-solid.toml")),
+    Example::new("propped-cantilever", 0.2, include_str!("../../../scenes/propped-cantilever.toml")),
     Example::new("pulled-strip", 0.1, include_str!("../../../scenes/pulled-strip.toml")),
     Example::new("relieved-strip", 0.1, include_str!("../../../scenes/relieved-strip.toml")),
     Example::new("ring", 3.0, include_str!("../../../scenes/ring.toml")),

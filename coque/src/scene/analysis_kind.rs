@@ -28,8 +28,21 @@ pub struct AnalysisKind {
     pub wants_tangent: bool,
     /// Whether it goes on from a preload.
     pub preloads: bool,
-    /// Whether contacts open and close in it.
-    pub touches: bool,
+    /// Which contacts go with it.
+    pub contacts: Contacts,
+}
+
+/// Contacts that go with an analysis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contacts {
+    /// None: nothing opens or closes in it.
+    None,
+    /// Of a shell alone, as a preload leaves them: what touches is a spring, what is apart stays apart.
+    Frozen,
+    /// Of a shell alone, smooth ones.
+    Smooth,
+    /// All.
+    All,
 }
 
 /// Columns of marches.
@@ -54,7 +67,7 @@ const LEVELLED: AnalysisKind = AnalysisKind {
     seeks_force: true,
     wants_tangent: true,
     preloads: false,
-    touches: false,
+    contacts: Contacts::None,
 };
 
 /// What marches are.
@@ -64,7 +77,7 @@ const MARCH: AnalysisKind = AnalysisKind {
     wants_driver: false,
     seeks_force: false,
     wants_tangent: false,
-    touches: true,
+    contacts: Contacts::All,
     ..LEVELLED
 };
 
@@ -84,16 +97,23 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         name: "a static analysis",
         resumes: true,
         preloads: true,
-        touches: true,
+        contacts: Contacts::All,
         ..LEVELLED
     },
-    AnalysisKind { word: "arc-length", name: "an arc-length analysis", preloads: true, ..LEVELLED },
+    AnalysisKind {
+        word: "arc-length",
+        name: "an arc-length analysis",
+        preloads: true,
+        contacts: Contacts::Smooth,
+        ..LEVELLED
+    },
     AnalysisKind {
         word: "relaxation",
         name: "a relaxation",
         columns: &["level", "internal", "iterations"],
         resumes: true,
         seeks_force: false,
+        contacts: Contacts::Smooth,
         ..LEVELLED
     },
     AnalysisKind {
@@ -101,6 +121,7 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         name: "a modal analysis",
         columns: &["mode", "circular_frequency", "frequency", "residual"],
         gives_modes: true,
+        contacts: Contacts::Frozen,
         floats: true,
         wants_driver: false,
         seeks_force: false,
@@ -112,6 +133,7 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         name: "a buckling analysis",
         columns: &["mode", "level", "residual"],
         gives_modes: true,
+        contacts: Contacts::Frozen,
         preloads: true,
         ..LEVELLED
     },

@@ -197,8 +197,10 @@ impl<'a> BodyInScene<'a> {
 
     /// Whether anything is applied before the analysis.
     pub(crate) fn has_preload(&self) -> bool {
-        let applied =
-            self.loads.iter().any(|load| load.preload) || self.supports.iter().any(|support| support.preload);
+        let by_tools = self.as_shell().is_some_and(|shell| shell.tools.iter().any(|tool| tool.preload));
+        let applied = by_tools
+            || self.loads.iter().any(|load| load.preload)
+            || self.supports.iter().any(|support| support.preload);
         applied || self.is_stressed() && self.analysis.kind().preloads && !self.stress_drives()
     }
 }

@@ -71,15 +71,20 @@ impl<'a> Motion<'a> {
             driving: 0.0,
             counts: Counts::default(),
         };
-        if system.has_moving_supports() {
+        if system.has_moving_supports() || system.has_moving_tools() {
             motion.ramp = if levels.0 == levels.1 { 0 } else { motion.options.ramp };
             system.internal(levels.0, &mut motion.internal);
             motion.driving = system.driving_force();
             motion.counts.evaluations += 1;
         }
-        if let Some(way) = motion.memory.past.predict(system, levels.1) {
-            system.update(&way);
-            (motion.way, motion.ramp) = (way, 0);
+        match motion.memory.past.predict(system, levels.1) {
+            Some(way) if system.reach(&way) == 1.0 => {
+                system.update(&way);
+                (motion.way, motion.ramp) = (way, 0);
+            }
+            // It would leap through what it may touch.
+            Some(_) => motion.memory.past.distrust(),
+            None => {}
         }
         motion
     }

@@ -3,7 +3,7 @@
 //! Along stable equilibria q(λ) the potential `E(λ) = U − λW`, W the work of the unit loads, changes by
 //!
 //! ```text
-//! E′ = R − W      R = ∂U/∂λ at fixed unknowns, what the forces of prescribed values do on them in a unit of level
+//! E′ = R − W      R = ∂U/∂λ at fixed unknowns, what the forces of prescribed values and of tools do on them in a unit of level
 //! ```
 //!
 //! Between two levels a step h apart, what the forces do by the trapezoidal rule exceeds what the potential gains by
@@ -88,14 +88,16 @@ impl Energies {
 
 /// Level, U and R of the present state; R by a central difference over a small part of a step.
 fn seen<E: Equilibrium + ?Sized>(system: &mut E, level: f64, step: f64) -> [f64; 3] {
-    let energy = system.energy();
-    if !system.has_moving_supports() {
+    let (here, mut forces) = (system.save(), vec![0.0; system.unknowns()]);
+    system.external(level, &mut forces);
+    let energy = system.energy() + system.contact_energy();
+    if !(system.has_moving_supports() || system.has_moving_tools()) {
         return [level, energy, 0.0];
     }
-    let (here, mut forces) = (system.save(), vec![0.0; system.unknowns()]);
     let mut energy_at = |level: f64| {
         system.internal(level, &mut forces);
-        system.energy()
+        system.external(level, &mut forces);
+        system.energy() + system.contact_energy()
     };
     let nearby = NEARBY * step;
     let difference = energy_at(level + nearby) - energy_at(level - nearby);
@@ -111,7 +113,7 @@ fn unit_work<E: Equilibrium + ?Sized>(system: &mut E, start: &[f64], mut way: Ve
     way.iter_mut().for_each(|way| *way *= 0.5);
     let mut sum = 0.0;
     for weight in [1.0, 4.0, 1.0] {
-        system.external(level, &mut force);
+        system.external_without_contact(level, &mut force);
         sum += weight * dot(&force, &way);
         system.transport(&mut way);
     }

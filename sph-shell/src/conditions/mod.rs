@@ -3,6 +3,7 @@
 pub(crate) mod case;
 pub(crate) mod constraints;
 pub(crate) mod couple;
+pub(crate) mod frozen;
 pub(crate) mod loads;
 pub(crate) mod own_contact;
 pub(crate) mod preload;

@@ -1,5 +1,7 @@
 //! Rigid tools that a shell may touch: they push by a potential, in every analysis, and move as level and time say.
 
+mod frozen;
+
 use contact::{Friction, Law, NodalContact, Pose, Surface, ToolContact, ToolShape, Touch, Watch};
 use explicit_dynamics::{Amplitude, Instant};
 use implicit_statics::Front;
@@ -26,6 +28,8 @@ pub struct Tool {
     pub turn: f64,
     /// What of that a time brings.
     pub amplitude: Amplitude,
+    /// Whether its motion belongs to the preload or to the loads of the analysis.
+    pub case: LoadCase,
     /// The law of contact.
     pub law: Law,
     /// Stiffness κ of a unit of area \[F/L³\]; [`contact::stiffness`] has one.
@@ -50,6 +54,7 @@ struct Touched {
     /// How far it has moved and turned at level one.
     motion: Pose,
     amplitude: Amplitude,
+    case: LoadCase,
     /// Where it stood when forces were last evaluated.
     stood: Pose,
 }
@@ -88,7 +93,7 @@ impl Tools {
         let cloud = &reference.cloud;
         let surface = Surface::new(&cloud.cells, &cloud.positions, |a| half[a as usize]);
         let touched = |tool: Tool| {
-            let Tool { shape, moved, turn, amplitude, law, stiffness, friction } = tool;
+            let Tool { shape, moved, turn, amplitude, case, law, stiffness, friction } = tool;
             if !(stiffness > 0.0 && stiffness.is_finite()) {
                 return Err(ShellError::ToolStiffness(stiffness));
             }
@@ -105,6 +110,7 @@ impl Tools {
                 friction,
                 motion,
                 amplitude,
+                case,
                 stood: Pose::default(),
             })
         };
@@ -121,6 +127,11 @@ impl Tools {
             fastest: FASTEST * reference.sound_speed,
             time: f64::INFINITY,
         })
+    }
+
+    /// Whether the motion of any of them belongs to a load case.
+    pub fn move_in(&self, case: LoadCase) -> bool {
+        self.tools.iter().any(|tool| tool.case == case && tool.motion != Pose::default())
     }
 
     /// Whether there are none.
@@ -250,10 +261,8 @@ impl Tools {
 
     /// Adds what a unit of level adds to their forces, where it moves them.
     pub fn add_rates(&self, at: Instant, under_way: LoadCase, state: &[Row], forces: &mut [Row]) {
-        if under_way != LoadCase::Loading {
-            return;
-        }
-        for tool in self.tools.iter().filter(|tool| tool.motion != Pose::default()) {
+        let driven = |tool: &&Touched| tool.case == under_way && tool.motion != Pose::default();
+        for tool in self.tools.iter().filter(driven) {
             let pose = tool.pose(at, under_way, &self.origin);
             let share = tool.amplitude.value(at.time);
             let rate = Pose { moved: tool.motion.moved * share, angle: tool.motion.angle * share };
@@ -365,9 +374,9 @@ impl Tools {
 }
 
 impl Touched {
-    /// How far it has moved and turned at an instant, from an origin; it stands while a preload is brought up.
+    /// How far it has moved and turned at an instant, from an origin, by the load case that its motion belongs to.
     fn pose(&self, at: Instant, under_way: LoadCase, origin: &Vec3) -> Pose {
-        let share = LoadCase::Loading.factor(under_way, at.level) * self.amplitude.value(at.time);
+        let share = self.case.factor(under_way, at.level) * self.amplitude.value(at.time);
         Pose { moved: self.motion.moved * share - origin, angle: self.motion.angle * share }
     }
 }

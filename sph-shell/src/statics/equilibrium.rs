@@ -135,7 +135,8 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.restore(&rest);
     }
 
-    /// One sum for the translations of a particle and one for its turns: the stiff directions turn with the shell.
+    /// One sum for the translations of a particle and one for its turns: the stiff directions turn with the shell. What may touch counts as if it
+    /// did.
     fn row_sums(&mut self, level: f64, out: &mut [f64]) {
         self.pattern_changed(level);
         let pattern = self.pattern();
@@ -150,6 +151,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
                 alike.fill(largest);
             }
         }
+        self.add_contact_bounds(out);
     }
 
     fn reach(&mut self, increment: &[f64]) -> f64 {
@@ -162,6 +164,25 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         self.restore(&saved);
         let Shell { loading, motion, .. } = &*self.shell;
         loading.own_contact.as_ref().map_or(1.0, |own| own.reach(&motion.state, &there))
+    }
+
+    fn has_moving_tools(&self) -> bool {
+        self.shell.loading.tools.move_in(self.shell.loading.case)
+    }
+
+    fn external_without_contact(&mut self, level: f64, out: &mut [f64]) {
+        if !self.shell.may_touch() {
+            return self.external(level, out);
+        }
+        self.put(level);
+        let Shell { reference, dependents, motion, loading, .. } = &mut *self.shell;
+        loading.evaluate_loads(Instant { time: 0.0, level }, reference, dependents, motion);
+        self.project(|a| self.shell.external_force(a), out);
+        self.add_body_loads(out);
+    }
+
+    fn contact_energy(&self) -> f64 {
+        self.shell.loading.contact_energy()
     }
 
     fn stages_of_contact(&self) -> Vec<f64> {

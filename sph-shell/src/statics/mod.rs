@@ -8,4 +8,5 @@ pub(crate) mod load_stiffness;
 pub(crate) mod projection;
 pub(crate) mod static_shell;
 pub(crate) mod stiffness;
+pub(crate) mod touched;
 pub(crate) mod turned;

@@ -88,6 +88,9 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Reads the pattern anew where the shell has made another list of what is near itself; whether it did.
     pub(super) fn follow_contact(&mut self) -> bool {
         let Shell { loading, motion, .. } = &mut *self.shell;
+        if loading.frozen.is_some() {
+            return false;
+        }
         let Some(lists) = loading.own_contact.as_mut().map(|own| own.lists(&motion.state)) else {
             return false;
         };
@@ -160,6 +163,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let shell = &*self.shell;
         let moves = |a: &u32| shell.constraint(*a as usize).is_some_and(|held| held.has_preload());
         shell.loading.loads.iter().any(|applied| applied.load.case() == LoadCase::Preload)
+            || shell.loading.tools.move_in(LoadCase::Preload)
             || self.moved.iter().any(moves)
     }
 

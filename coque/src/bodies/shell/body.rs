@@ -2,7 +2,7 @@
 
 use std::ops::DerefMut;
 
-use contact::NodalContact;
+use contact::{FrontChange, NodalContact};
 use explicit_dynamics::{Dynamics, Exert};
 use sph_core::Vec3;
 use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
@@ -249,6 +249,14 @@ impl<S: DerefMut<Target = Shell> + Send> StaticBody for StaticShell<S> {
 
     fn end_preload(&mut self) {
         self.set_case(LoadCase::Loading);
+    }
+
+    fn freeze_contact(&mut self, level: f64) {
+        StaticShell::freeze_contact(self, level);
+    }
+
+    fn first_change(&mut self, motion: &[f64]) -> Option<FrontChange> {
+        StaticShell::first_change(self, motion)
     }
 
     /// Reactions of all particles, then strains and resultants of all sampling points (`LinearForces`).

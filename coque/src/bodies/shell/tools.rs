@@ -1,9 +1,8 @@
 //! Tools of a shell: their stiffness, and shells that stand in them at the start.
 
 use contact::{Law, ToolShape};
-use explicit_dynamics::Instant;
 use sph_core::Cloud;
-use sph_shell::{Shell, Tool, contact_stiffness};
+use sph_shell::{LoadCase, Shell, Tool, contact_stiffness};
 
 use super::build::Builder;
 use super::sections::Sections;
@@ -35,6 +34,7 @@ impl Builder<'_> {
                 turn: tool.turn.unwrap_or_default(),
                 friction: tool.friction.map_or(0.0, |friction| friction.get()),
                 amplitude: tool.amplitude.clone().unwrap_or_default(),
+                case: if tool.preload { LoadCase::Preload } else { LoadCase::Loading },
                 law: Law::new(rounding)?,
                 stiffness: stiffness * tool.stiffness.map_or(1.0, |factor| factor.get()),
             })
@@ -68,11 +68,8 @@ impl Builder<'_> {
     /// Refuses a shell that stands in a tool before anything moves.
     pub(super) fn refuse_in_tools(&self, shell: &mut Shell) -> Result<(), SceneError> {
         let half = 0.5 * shell.thickness();
-        let at = Instant { time: 0.0, level: 0.0 };
-        let gaps = shell.tool_gaps(at);
-        for (i, ((tool, touch), gap)) in
-            self.scene.shell.tools.iter().zip(shell.touch(at)).zip(gaps).enumerate()
-        {
+        let touches = shell.touches_before_all();
+        for (i, (tool, (touch, gap))) in self.scene.shell.tools.iter().zip(touches).enumerate() {
             if touch.greatest_depth > TOUCHING {
                 let value = format!("`{}`, {:.4e} deep in the shell", tool.name, -gap);
                 let bound = format!(

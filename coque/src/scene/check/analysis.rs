@@ -187,7 +187,7 @@ pub(super) fn check_driver(scene: &BodyInScene<'_>) -> Verdict {
     let (s, what) = (&scene.scope(), scene.analysis.kind().name);
     let supports = scene.supports.iter().filter(|support| !support.preload);
     let motions = || supports.clone().filter_map(|support| Some((support, support.motion()?)));
-    if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_driven)) {
+    if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_driven_by_level)) {
         return Ok(());
     }
     if scene.loads.iter().any(|load| !load.preload) || motions().any(|(_, (_, by))| by != 0.0) {

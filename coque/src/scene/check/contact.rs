@@ -1,6 +1,7 @@
 //! Checks of contacts: which bodies may touch, and where there is none.
 
 use crate::scene::analysis::Analysis;
+use crate::scene::analysis_kind::Contacts;
 use crate::scene::contact::ContactScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::{BodyScene, Scene};
@@ -20,10 +21,23 @@ pub(super) fn check_contact(scene: &Scene) -> Verdict {
         }
     }
     let kind = scene.analysis.kind();
-    if !kind.touches {
-        let bound = format!("none in {}, in which nothing opens or closes", kind.name);
-        let repair = "use [analysis.static] or [analysis.explicit], or leave the contact out";
-        return refuse(scene, "contact", "contact", &bound, repair);
+    let repair = "use [analysis.static] or [analysis.explicit], or leave the contact out";
+    match kind.contacts {
+        Contacts::None => {
+            let bound = format!("none in {}, in which nothing opens or closes", kind.name);
+            return refuse(scene, "contact", "contact", &bound, repair);
+        }
+        Contacts::Frozen | Contacts::Smooth if scene.is_together() => {
+            let bound = format!("none of several bodies in {}", kind.name);
+            return refuse(scene, "contact", "contact", &bound, repair);
+        }
+        _ => {}
+    }
+    let rough = scene.contact.iter().position(ContactScene::is_rough);
+    if let (Contacts::Smooth, Some(number)) = (kind.contacts, rough) {
+        let bound = format!("smooth in {}, whose steps go to and fro", kind.name);
+        let repair = "use [analysis.static] or [analysis.explicit], or leave `friction` out";
+        return refuse(scene, &format!("contact[{number}].friction"), "friction", &bound, repair);
     }
     Ok(())
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::gauges::check_gauge;
 use super::sets::{check_set_name, only_on};
+use crate::scene::analysis_kind::Contacts;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::column_unit::ColumnUnit;
 use crate::scene::contact::ContactScene;
@@ -212,6 +213,16 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
     if scene.output.fields.is_some_and(|fields| fields.contact) && !scene.any_may_touch() {
         let bound = "none where nothing may touch: no tool, no [[contact]]";
         let fault = s.fault("output.fields.contact", "fields of contact", bound, "remove it");
+        return Err(SceneError::Choice(fault));
+    }
+    if scene.output.fields.is_some_and(|fields| fields.contact)
+        && scene.analysis.kind().contacts == Contacts::Frozen
+    {
+        let bound = format!(
+            "none in {}: modes are no states, and contact stays as it was",
+            scene.analysis.kind().name
+        );
+        let fault = s.fault("output.fields.contact", "fields of contact", &bound, "remove it");
         return Err(SceneError::Choice(fault));
     }
     if scene.output.fields.is_some_and(|fields| fields.points)

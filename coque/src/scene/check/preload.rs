@@ -1,6 +1,7 @@
 //! Checks of the preload: which conditions, bodies and analyses it goes with.
 
 use crate::scene::analysis::Analysis;
+use crate::scene::analysis_kind::Contacts;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::statics::Prebuckling;
@@ -16,9 +17,15 @@ pub(super) fn check_preload(scene: &BodyInScene<'_>) -> Verdict {
         let repair = "remove it: what stands still needs none";
         return refuse(&support.at("preload"), "`moved`, `rotated` or `turned` beside it", repair);
     }
+    check_frozen(scene)?;
     let load = scene.loads.iter().find(|load| load.preload).map(|load| load.at("preload"));
     let motion = || scene.supports.iter().find(|support| support.preload).map(|motion| motion.at("preload"));
-    let Some(path) = load.or_else(motion) else {
+    let tool = || {
+        let tools = &scene.as_shell()?.tools;
+        let number = tools.iter().position(|tool| tool.preload)?;
+        Some(scene.body_scope().path(&format!("tools[{number}].preload")))
+    };
+    let Some(path) = load.or_else(motion).or_else(tool) else {
         return Ok(());
     };
     if scene.as_shell().is_none() {
@@ -41,4 +48,31 @@ pub(super) fn check_preload(scene: &BodyInScene<'_>) -> Verdict {
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses contact that stays as it is where nothing brings it about, and friction of a shell on itself there.
+fn check_frozen(scene: &BodyInScene<'_>) -> Verdict {
+    let kind = scene.analysis.kind();
+    if !(kind.contacts == Contacts::Frozen && scene.may_touch()) {
+        return Ok(());
+    }
+    let tools = scene.as_shell().is_some_and(|shell| !shell.tools.is_empty());
+    let s = if tools { scene.body_scope() } else { scene.scope() };
+    if !scene.has_preload() {
+        let key = if tools { "tools" } else { "contact" };
+        let bound =
+            format!("beside a preload that brings it about: in {} it stays as that leaves it", kind.name);
+        let repair =
+            "add `preload = true` to a load, a support or a tool that moves, or leave the contact out";
+        return Err(SceneError::Choice(s.fault(key, "contact", &bound, repair)));
+    }
+    let rough = scene.scene.contact.iter().position(|contact| contact.is_rough());
+    if let Some(number) = rough {
+        let bound = format!("smooth in {}: of what rubs, tools alone were measured there", kind.name);
+        let path = format!("contact[{number}].friction");
+        let fault =
+            scene.scope().fault(&path, "friction of the shell on itself", &bound, "leave `friction` out");
+        return Err(SceneError::Choice(fault));
+    }
+    Ok(())
 }

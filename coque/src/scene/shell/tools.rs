@@ -30,6 +30,9 @@ pub struct ToolScene {
     pub turn: Option<f64>,
     /// What of that a time brings, in transient runs.
     pub amplitude: Option<Amplitude>,
+    /// Whether its motion is made in full before the analysis and held: the level counts the other motions.
+    #[serde(default)]
+    pub preload: bool,
     /// Coefficient of friction μ \[–\]; left out, none.
     pub friction: Option<FrictionCoefficient>,
     /// Factor on the stiffness of contact; left out, 1: the lesser of what the thickness gives, 2E/t, and of what shortens steps in time by
@@ -96,6 +99,11 @@ impl ToolScene {
     /// Whether it moves or turns.
     pub(crate) fn is_driven(&self) -> bool {
         self.moved.is_some_and(|moved| moved != [0.0; 3]) || self.turn.is_some_and(|angle| angle != 0.0)
+    }
+
+    /// Whether the level of the analysis moves or turns it.
+    pub(crate) fn is_driven_by_level(&self) -> bool {
+        self.is_driven() && !self.preload
     }
 
     /// Whether it has friction.

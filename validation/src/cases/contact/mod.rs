@@ -8,13 +8,14 @@ mod hemisphere_on_flat;
 mod incline;
 mod pressed_ring;
 mod strip_lifted;
+mod touched_modes;
 mod two_cantilevers;
 mod wrapped_strip;
 
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 10] {
+pub fn all() -> [Case; 11] {
     [
         pressed_ring::case(),
         fold_pressed::case(),
@@ -26,5 +27,6 @@ pub fn all() -> [Case; 10] {
         two_cantilevers::case(),
         capstan::case(),
         incline::case(),
+        touched_modes::case(),
     ]
 }

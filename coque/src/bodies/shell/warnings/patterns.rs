@@ -53,6 +53,9 @@ fn reported(look: &Look<'_>, wanted: usize) -> Option<String> {
         });
     }
     let waves = |modes: usize| 4.0 * PI * modes as f64 / area;
+    if tension <= bending * waves(1) {
+        return None;
+    }
     let square = |modes: usize| {
         PATTERNS * (tension * bending).sqrt()
             / spacing.powi(3)

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::scene::analysis_kind::Contacts;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::conditions::check_course;
 use crate::scene::error::{SceneError, Verdict};
@@ -22,9 +23,15 @@ pub(in crate::scene::check) fn check_tools(
     let refuse = |bound: String, repair: &str| {
         Err(SceneError::Choice(s.fault("tools", "tools that the shell may touch", &bound, repair)))
     };
-    if !kind.touches {
-        let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
-        return refuse(format!("none in {}, in which nothing opens or closes", kind.name), repair);
+    let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
+    match kind.contacts {
+        Contacts::None => {
+            return refuse(format!("none in {}, in which nothing opens or closes", kind.name), repair);
+        }
+        Contacts::Frozen | Contacts::Smooth if scene.together => {
+            return refuse(format!("none on one of several bodies in {}", kind.name), repair);
+        }
+        _ => {}
     }
     let mut names = BTreeSet::new();
     for (i, tool) in shell.tools.iter().enumerate() {
@@ -45,6 +52,12 @@ pub(in crate::scene::check) fn check_tools(
             own.sized_all("moved", moved)?;
         }
         check_turn(tool, &own)?;
+        if kind.contacts == Contacts::Smooth && tool.is_rough() {
+            let bound = format!("smooth in {}, whose steps go to and fro", kind.name);
+            let repair = "use [analysis.static] or [analysis.explicit], or leave `friction` out";
+            return Err(SceneError::Choice(own.fault("friction", "friction", &bound, repair)));
+        }
+        check_preloaded(scene, tool, &own)?;
         if let Some(word) = tool.moved.map(|_| "moved").or(tool.turn.map(|_| "turn")) {
             check_course(scene, &s.path(&format!("tools[{i}]")), word, tool.amplitude.as_ref())?;
         } else if tool.amplitude.is_some() {
@@ -52,6 +65,45 @@ pub(in crate::scene::check) fn check_tools(
             let fault = own.fault("amplitude", "a course in time", "none of a tool that stands", repair);
             return Err(SceneError::Choice(fault));
         }
+    }
+    Ok(())
+}
+
+/// Refuses a preload of what stands still or where nothing could hold it, and tools that a level would move through contact that stays as it is.
+fn check_preloaded(scene: &BodyInScene<'_>, tool: &ToolScene, s: &Scope<'_>) -> Verdict {
+    let kind = scene.analysis.kind();
+    let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(s.fault(key, value, bound, repair)))
+    };
+    if tool.preload && !tool.is_driven() {
+        return refuse(
+            "preload",
+            "a preload",
+            "`moved` or `turn` beside it",
+            "remove it: what stands still needs none",
+        );
+    }
+    if tool.preload && scene.together {
+        let repair = "remove it, or let it grow with the other loads";
+        return refuse(
+            "preload",
+            "a preload",
+            "none of one of several bodies: all of them are led by one level",
+            repair,
+        );
+    }
+    if tool.preload && !kind.preloads {
+        let repair = if kind.passes_time {
+            "remove it, and let an `amplitude` bring the tool and hold it"
+        } else {
+            "use [analysis.static], [analysis.modal] or [analysis.buckling]"
+        };
+        return refuse("preload", "a preload", &format!("none in {}", kind.name), repair);
+    }
+    if kind.contacts == Contacts::Frozen && tool.is_driven_by_level() {
+        let word = if tool.moved.is_some() { "moved" } else { "turn" };
+        let bound = format!("a part of the preload in {}, in which contact stays as it is", kind.name);
+        return refuse(word, "a motion", &bound, "add `preload = true`, or let the tool stand");
     }
     Ok(())
 }
