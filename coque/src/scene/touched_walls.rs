@@ -39,6 +39,7 @@ fn faces(name: &str, walls: &WallsScene, own: &ContactScene) -> Vec<ToolScene> {
         capsule: None,
         block: None,
         moved: translation.map(|translation| translation.by),
+        preload: false,
         turn: None,
         amplitude: translation.map(|translation| translation.amplitude.clone()),
         friction: own.friction,
