@@ -17,11 +17,7 @@ impl ContactsOfScene {
     /// Those of a scene and of the body that it makes.
     pub fn of(scene: &Scene, body: &dyn Body) -> Self {
         let own = |(name, body): (&String, &BodyScene)| {
-            let tools = match body {
-                BodyScene::Shell(shell) => shell.tools.iter().map(|tool| tool.name.clone()).collect(),
-                _ => Vec::new(),
-            };
-            (name.clone(), tools)
+            (name.clone(), body.tools().iter().map(|tool| tool.name.clone()).collect())
         };
         Self { bodies: scene.bodies.iter().map(own).collect(), unseen: Unseen::of(scene, body) }
     }

@@ -38,6 +38,7 @@ pub(crate) mod source;
 mod statics;
 mod supports;
 mod tables;
+mod tools;
 pub(crate) mod units;
 mod velocity;
 mod walls;
@@ -73,7 +74,6 @@ pub use shell::material::{
 };
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
-pub use shell::tools::{ToolCapsule, ToolCylinder, ToolPlane, ToolScene, ToolSphere};
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};
@@ -92,6 +92,7 @@ pub use statics::{
     RelaxationDamping, Static, Stop,
 };
 pub use supports::*;
+pub use tools::{ToolCapsule, ToolCylinder, ToolPlane, ToolScene, ToolSphere};
 pub use velocity::{Spin, Velocity};
 pub use walls::{
     Basin, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface, WallTranslation,

@@ -94,8 +94,9 @@ impl Acting {
         self.targets = asked.iter().map(place).collect();
     }
 
-    /// Whether it joins other pairs of the present places than before.
-    pub fn changed<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) -> bool {
+    /// Whether it joins other pairs of the present places at a level than before.
+    pub fn changed<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>], level: f64) -> bool {
+        self.interaction.put(level);
         self.see(systems);
         self.interaction.pairs_changed(&self.places)
     }
@@ -146,8 +147,9 @@ impl Acting {
         }
     }
 
-    /// Lets it act on the systems at their present places; its energy \[F L\].
-    pub fn act<S: Joinable + ?Sized>(&mut self, systems: &mut [Box<S>]) -> f64 {
+    /// Lets it act on the systems at their present places and a level; its energy \[F L\].
+    pub fn act<S: Joinable + ?Sized>(&mut self, systems: &mut [Box<S>], level: f64) -> f64 {
+        self.interaction.put(level);
         self.see(systems);
         let Self { interaction, particles, ranges, places, forces, .. } = self;
         let energy = interaction.evaluate(places, forces);

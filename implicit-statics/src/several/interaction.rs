@@ -29,6 +29,9 @@ pub trait Interaction: Any + Send {
     /// Particles on which it acts, a list for each system; it never changes.
     fn particles(&self) -> Vec<Vec<u32>>;
 
+    /// Puts what is prescribed of it where a level has that.
+    fn put(&mut self, _level: f64) {}
+
     /// Pairs of places that share a block of its tangent, each once, and places with themselves; the same ones until
     /// [`Interaction::pairs_changed`] says otherwise.
     fn pairs(&self) -> Vec<[usize; 2]>;

@@ -50,7 +50,7 @@ impl<S: Joinable + ?Sized> Several<S> {
             system.put(level);
             system.release();
         }
-        self.acting.iter_mut().map(|acting| acting.act(&mut self.systems)).sum()
+        self.acting.iter_mut().map(|acting| acting.act(&mut self.systems, level)).sum()
     }
 
     /// An interaction, in the order in which they were given.
@@ -160,7 +160,7 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
             self.systems.iter_mut().for_each(|system| system.put(level));
         }
         for acting in &mut self.acting {
-            changed |= acting.changed(&self.systems);
+            changed |= acting.changed(&self.systems, level);
         }
         if changed {
             self.entries = OnceCell::new();

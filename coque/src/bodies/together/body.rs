@@ -4,15 +4,18 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use contact::NodalContact;
+use mesh_io::FieldWriter;
 use sph_core::Vec3;
 
 use super::contact::TouchingBodies;
 use super::layout::Layout;
+use super::on_tool::OnTool;
 use super::parts::Parts;
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, Mismatch, StateArray};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{ContactNow, FieldRequest, FieldSource, Outline};
+use crate::bodies::tool_shapes;
+use crate::bodies::{ContactNow, FieldRequest, FieldSource, Outline, Part};
 use crate::scene::Measured;
 
 /// Bodies that are solved together, with their places one behind the other.
@@ -77,11 +80,20 @@ impl<S: Parts> Body for Together<S> {
         let range = self.layout.forces.get(body).cloned();
         let forces = shown.forces.zip(range).map(|(forces, range)| &forces[range]);
         let (part, shown) = (self.system.each()[body], FieldRequest { forces, ..*shown });
-        if shown.contact {
+        let own = if shown.contact {
             part.fields_with_contact(&shown, self.contact_fields(body))
         } else {
             part.fields(&shown)
+        };
+        if self.tools_of(body).next().is_none() {
+            return own;
         }
+        let stood: Vec<_> = self.tools_of(body).map(|tool| (tool.contact.tool, tool.stood)).collect();
+        let rest = &self.layout.rest[self.layout.particles[body].clone()];
+        Box::new(move |part: Part, to: &mut dyn FieldWriter| match part {
+            Part::Tools => tool_shapes::write(&stood, rest, &shown.units, to),
+            part => own.write(part, to),
+        })
     }
 
     fn place(&self, particle: usize) -> (usize, usize) {
@@ -93,6 +105,11 @@ impl<S: Parts> Body for Together<S> {
         // A body other than a shell touches nothing by itself.
         nodal.resize(self.layout.particles.get(body).map_or(0, Range::len), NodalContact::default());
         self.touching().for_each(|contact| contact.nodal_contact(body, &mut nodal));
+        let mut tools = self.tools_of(body).peekable();
+        if tools.peek().is_some() {
+            let places = self.system.each()[body].configuration().present;
+            tools.for_each(|tool| tool.nodal_contact(&places, &mut nodal));
+        }
         nodal
     }
 
@@ -101,6 +118,10 @@ impl<S: Parts> Body for Together<S> {
         let mut gaps = parts.get(body).map_or_else(Vec::new, |part| part.gaps(0, particles));
         let places = |number: usize| parts[number].configuration().present;
         for own in self.touching().filter_map(|contact| contact.gaps(body, particles, places)) {
+            gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap = gap.min(own));
+        }
+        for tool in self.tools_of(body) {
+            let own = tool.gaps(particles, &places(body));
             gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap = gap.min(own));
         }
         gaps
@@ -113,11 +134,13 @@ impl<S: Parts> Body for Together<S> {
         };
         let places = |number: usize| parts[number].configuration().present;
         let between = self.touching().map(|contact| contact.now(places));
-        parts.iter().enumerate().flat_map(own).chain(between).collect()
+        let on_tools = self.on_tools().map(|tool| tool.now(|| places(tool.body)));
+        parts.iter().enumerate().flat_map(own).chain(between).chain(on_tools).collect()
     }
 
     fn has_tools(&self, body: usize) -> bool {
-        self.system.each().get(body).is_some_and(|part| part.has_tools(0))
+        let own = self.system.each().get(body).is_some_and(|part| part.has_tools(0));
+        own || self.tools_of(body).next().is_some()
     }
 
     fn outlines(&self) -> Vec<Outline> {
@@ -169,6 +192,16 @@ impl<S: Parts> Together<S> {
     /// The contacts between the bodies.
     fn touching(&self) -> impl Iterator<Item = &TouchingBodies> {
         self.layout.contacts.clone().filter_map(|number| self.system.touching(number))
+    }
+
+    /// What solids and their tools do to each other.
+    fn on_tools(&self) -> impl Iterator<Item = &OnTool> {
+        self.layout.contacts.clone().filter_map(|number| self.system.on_tool(number))
+    }
+
+    /// The same of one body.
+    fn tools_of(&self, body: usize) -> impl Iterator<Item = &OnTool> {
+        self.on_tools().filter(move |tool| tool.body == body)
     }
 
     fn take_up(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {

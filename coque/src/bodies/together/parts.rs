@@ -5,6 +5,7 @@ use std::any::Any;
 use sph_core::Vec3;
 
 use super::contact::TouchingBodies;
+use super::on_tool::OnTool;
 use crate::bodies::body::{Body, DynamicBody, StaticBody};
 
 /// A body that is marched beside others.
@@ -36,6 +37,9 @@ pub(super) trait Parts: Send {
     /// An interaction, if it is a contact.
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies>;
 
+    /// An interaction, if it is that of a solid and a tool.
+    fn on_tool(&self, interaction: usize) -> Option<&OnTool>;
+
     /// Energy that an interaction lost at a particle of a body \[F L\].
     fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64;
 
@@ -60,6 +64,10 @@ impl Parts for Marched {
     }
 
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies> {
+        (Marched::interaction(self, interaction)? as &dyn Any).downcast_ref()
+    }
+
+    fn on_tool(&self, interaction: usize) -> Option<&OnTool> {
         (Marched::interaction(self, interaction)? as &dyn Any).downcast_ref()
     }
 
@@ -90,6 +98,10 @@ impl Parts for Balanced {
     }
 
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies> {
+        (Balanced::interaction(self, interaction)? as &dyn Any).downcast_ref()
+    }
+
+    fn on_tool(&self, interaction: usize) -> Option<&OnTool> {
         (Balanced::interaction(self, interaction)? as &dyn Any).downcast_ref()
     }
 

@@ -30,6 +30,12 @@ fn named(scene: &Scene, name: &str) -> Option<usize> {
     (0..scene.contact.len()).find(names)
 }
 
+/// Nothing of a solid that no contact names and that has no tools.
+fn touches(scene: &BodyInScene<'_>) -> Option<()> {
+    let tools = !scene.body.tools().is_empty();
+    (tools || named(scene.scene, scene.name).is_some()).then_some(())
+}
+
 /// The surface of a shell; none of one that no contact names.
 ///
 /// # Errors
@@ -56,7 +62,7 @@ pub(super) fn of_shell(scene: &BodyInScene<'_>, shell: &Shell) -> Result<Option<
 /// All nodes of a solid of bonds as balls of half the least spacing: the outermost lie so far inside the faces, and a fragment keeps its own. The
 /// area of each is its volume over its diameter; a layer of nodes is as stiff against a tool as a sheet of their spacing.
 pub(super) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid) -> Option<Side> {
-    named(scene.scene, scene.name)?;
+    touches(scene)?;
     let block = solid.block();
     let spacing = block.spacing.iter().copied().fold(f64::INFINITY, f64::min);
     let points: Vec<(u32, f64)> = (0..).zip(block.volumes.iter().map(|volume| volume / spacing)).collect();
@@ -76,7 +82,7 @@ pub(super) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid
 /// ones behind it. What is left out is as stiff as the contact of its thickness, `κ = E/r`. A node on an edge of the body stands for its part of
 /// one side, the greatest: a body presses on one at a time.
 pub(super) fn of_galerkin(scene: &BodyInScene<'_>, body: &SolidScene, solid: &GalerkinSolid) -> Option<Side> {
-    named(scene.scene, scene.name)?;
+    touches(scene)?;
     let (nodes, cells) = (solid.galerkin().rest(), solid.configuration().cells);
     let behind = behind(solid.hexahedra(), nodes);
     let length = |a: u32, b: u32| (nodes[a as usize] - nodes[b as usize]).norm();

@@ -119,7 +119,7 @@ fn check_unmeasured(scene: &Scene, number: usize, between: &[String; 2]) -> Verd
 }
 
 /// Why a solid has no surface that others touch.
-fn without_surface(solid: &SolidScene) -> Option<&'static str> {
+pub(super) fn without_surface(solid: &SolidScene) -> Option<&'static str> {
     let bonds = solid.galerkin().is_none();
     if solid.is_plane() {
         Some("a body in space: a plane one has no faces that others touch")

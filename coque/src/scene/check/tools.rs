@@ -2,25 +2,25 @@
 
 use std::collections::BTreeSet;
 
+use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::conditions::check_course;
+use crate::scene::check::contact::without_surface;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
-use crate::scene::shell::ShellScene;
-use crate::scene::shell::tools::ToolScene;
+use crate::scene::solid::SolidScene;
+use crate::scene::tools::ToolScene;
 
 /// Refuses tools without a shape or of several, of one name, without directions, in analyses that know no contact, and in fluids.
-pub(in crate::scene::check) fn check_tools(
-    scene: &BodyInScene<'_>,
-    shell: &ShellScene,
-    s: &Scope<'_>,
-) -> Verdict {
-    if shell.tools.is_empty() {
+pub(super) fn check_tools(scene: &BodyInScene<'_>, s: &Scope<'_>) -> Verdict {
+    let tools = scene.body.tools();
+    if tools.is_empty() {
         return Ok(());
     }
     let kind = scene.analysis.kind();
     let refuse = |bound: String, repair: &str| {
-        Err(SceneError::Choice(s.fault("tools", "tools that the shell may touch", &bound, repair)))
+        let value = format!("tools that the {} may touch", scene.body.word());
+        Err(SceneError::Choice(s.fault("tools", &value, &bound, repair)))
     };
     if !kind.touches {
         let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
@@ -30,7 +30,7 @@ pub(in crate::scene::check) fn check_tools(
         return refuse("none in a fluid".into(), "leave them out");
     }
     let mut names = BTreeSet::new();
-    for (i, tool) in shell.tools.iter().enumerate() {
+    for (i, tool) in tools.iter().enumerate() {
         let own = s.below(&format!("tools[{i}]"));
         if !names.insert(&tool.name) {
             let value = format!("\"{}\"", tool.name);
@@ -53,6 +53,33 @@ pub(in crate::scene::check) fn check_tools(
             let repair = "remove it, or add `moved`: only a tool that moves has a course in time";
             let fault = own.fault("amplitude", "a course in time", "none of a tool that stands", repair);
             return Err(SceneError::Choice(fault));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses tools of solids that have no surface, and what was not measured on them yet: friction, bonds at rest.
+pub(super) fn check_tools_of_solid(scene: &BodyInScene<'_>, solid: &SolidScene, s: &Scope<'_>) -> Verdict {
+    if solid.tools.is_empty() {
+        return Ok(());
+    }
+    let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(s.fault(key, value, bound, repair)))
+    };
+    if let Some(bound) = without_surface(solid) {
+        return refuse("tools", "tools that the solid may touch", bound, "leave them out");
+    }
+    let bonds = solid.galerkin().is_none();
+    if bonds && !matches!(scene.analysis, Analysis::Explicit(_)) {
+        let bound = "none at rest: contact of bonds was measured in marches alone";
+        let repair = "march it, by [analysis.explicit], or use [formulation.galerkin]";
+        return refuse("tools", "tools that a solid of bonds may touch", bound, repair);
+    }
+    for (i, tool) in solid.tools.iter().enumerate() {
+        if let Some(friction) = tool.friction.filter(|_| tool.is_rough()) {
+            let (key, value) = (format!("tools[{i}].friction"), format!("{}", friction.get()));
+            let bound = "zero: friction of solids was not measured yet";
+            return refuse(&key, &value, bound, "leave `friction` out");
         }
     }
     Ok(())

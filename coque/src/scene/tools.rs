@@ -1,4 +1,4 @@
-//! Rigid tools that a shell may touch.
+//! Rigid tools that a body may touch.
 
 use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
