@@ -34,7 +34,8 @@ impl Checked {
                 return coupled_model(&bodies, of_fluid, fluid, threads);
             }
         }
-        let tools_of_solid = |of: &BodyInScene<'_>| of.as_solid().is_some_and(|solid| !solid.tools.is_empty());
+        let tools_of_solid =
+            |of: &BodyInScene<'_>| of.as_solid().is_some_and(|solid| !solid.tools.is_empty());
         if bodies.len() > 1 || bodies.iter().any(tools_of_solid) {
             return together_model(self, &bodies, threads);
         }

@@ -35,17 +35,15 @@ pub(super) fn shape(tool: &ToolScene, turned: impl Fn([f64; 3]) -> Vec3) -> Opti
     let ToolScene { plane, sphere, cylinder, capsule, .. } = tool;
     let plane =
         plane.map(|plane| ToolShape::Plane { point: turned(plane.point), normal: turned(plane.normal) });
-    let sphere = sphere
-        .map(|sphere| ToolShape::Sphere { centre: turned(sphere.centre), radius: sphere.radius.get() });
+    let sphere =
+        sphere.map(|sphere| ToolShape::Sphere { centre: turned(sphere.centre), radius: sphere.radius.get() });
     let cylinder = cylinder.map(|drum| ToolShape::Cylinder {
         point: turned(drum.point),
         axis: turned(drum.axis),
         radius: drum.radius.get(),
     });
-    let capsule = capsule.map(|capsule| ToolShape::Capsule {
-        ends: capsule.ends.map(&turned),
-        radius: capsule.radius.get(),
-    });
+    let capsule = capsule
+        .map(|capsule| ToolShape::Capsule { ends: capsule.ends.map(&turned), radius: capsule.radius.get() });
     plane.or(sphere).or(cylinder).or(capsule)
 }
 

@@ -172,6 +172,17 @@ impl Acting {
         self.visit(&moves, &blocks, |number, _, value| values[self.targets[number]] += value);
     }
 
+    /// Adds what a unit of level adds to its forces at the places last evaluated.
+    pub fn add_rates<S: Joinable + ?Sized>(&self, systems: &[Box<S>], first: &[usize], out: &mut [f64]) {
+        let mut rates = vec![[0.0; 3]; self.places.len()];
+        if !self.interaction.rates(&self.places, &mut rates) {
+            return;
+        }
+        for (moves, rate) in self.moves(systems, first).iter().zip(&rates) {
+            moves.iter().for_each(|(unknown, way)| out[*unknown] += dot(way, rate));
+        }
+    }
+
     /// Adds to bounds of the spectrum what it adds to the sums over rows: of each place the largest of its three axes, so that no turn
     /// makes it more.
     pub fn add_row_sums<S: Joinable + ?Sized>(&self, systems: &[Box<S>], first: &[usize], out: &mut [f64]) {

@@ -195,6 +195,7 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
         self.act(level);
         self.parts(|own| &own.first).for_each(|(system, range)| system.load_rate(level, &mut out[range]));
+        self.acting.iter().for_each(|acting| acting.add_rates(&self.systems, &self.first, out));
     }
 
     fn tangent(&mut self, level: f64, values: &mut [f64]) {

@@ -73,7 +73,12 @@ pub(in crate::bodies) fn together_model(
     };
     let coarse = bodies.iter().filter_map(|body| galerkin_contact(scene, body));
     let warnings = made.iter_mut().flat_map(warned).chain(coarse).collect();
-    let description = described(scene, &made, joints.as_ref(), contacts.iter().map(TouchingBodies::line).chain(on_tools.iter().map(OnTool::line)));
+    let description = described(
+        scene,
+        &made,
+        joints.as_ref(),
+        contacts.iter().map(TouchingBodies::line).chain(on_tools.iter().map(OnTool::line)),
+    );
     refuse_modes(scene, description.dof)?;
     let memory = made.iter().fold(Memory::default(), |sum, (_, part)| Memory {
         needed: sum.needed + part.memory.needed,
@@ -100,7 +105,8 @@ pub(in crate::bodies) fn together_model(
         });
         layout.forces = forces.collect();
     }
-    layout.contacts = usize::from(joints.is_some())..usize::from(joints.is_some()) + contacts.len() + on_tools.len();
+    layout.contacts =
+        usize::from(joints.is_some())..usize::from(joints.is_some()) + contacts.len() + on_tools.len();
     let body = match &scene.analysis {
         Analysis::Explicit(_) => {
             let springs = joints.map(|joints| Box::new(joints) as Box<dyn explicit_dynamics::Interaction>);
@@ -113,7 +119,8 @@ pub(in crate::bodies) fn together_model(
             let springs = joints.map(|joints| Box::new(joints) as Box<dyn implicit_statics::Interaction>);
             let touching = contacts.into_iter().map(|own| Box::new(own) as _);
             let on_tools = on_tools.into_iter().map(|own| Box::new(own) as _);
-            let system = Balanced::new(balanced, springs.into_iter().chain(touching).chain(on_tools).collect());
+            let system =
+                Balanced::new(balanced, springs.into_iter().chain(touching).chain(on_tools).collect());
             Ready::Static(Box::new(Together { system, layout }))
         }
     };

@@ -251,6 +251,21 @@ impl implicit_statics::Interaction for OnTool {
         0.0
     }
 
+    fn rates(&self, at: &[[f64; 3]], rates: &mut [[f64; 3]]) -> bool {
+        rates.fill([0.0; 3]);
+        let (skin, rate) = (&self.skin, Pose::moved(self.motion * self.amplitude.value(0.0)));
+        self.contact.rates(
+            None,
+            &self.stood,
+            &rate,
+            |node| skin.place(at, (0, node)),
+            |node, force| {
+                skin.each((0, node), |a, weight| (0..3).for_each(|k| rates[a][k] += weight * force[k]));
+            },
+        );
+        self.motion != Vec3::zeros()
+    }
+
     fn stiffness(&self, at: &[[f64; 3]], blocks: &mut [[[f64; 3]; 3]]) {
         blocks.fill([[0.0; 3]; 3]);
         self.second(at, |a, b, change| {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use contact::{Mesh, stiffness};
+use contact::Mesh;
 use peridynamics::Solid;
 use rigid_body::RigidBody;
 use sph_core::Vec3;
@@ -60,7 +60,8 @@ pub(super) fn of_shell(scene: &BodyInScene<'_>, shell: &Shell) -> Result<Option<
 }
 
 /// All nodes of a solid of bonds as balls of half the least spacing: the outermost lie so far inside the faces, and a fragment keeps its own. The
-/// area of each is its volume over its diameter; a layer of nodes is as stiff against a tool as a sheet of their spacing.
+/// area of each is its volume over its diameter. Between the face and the outermost nodes lies half a spacing of material without a bond of its own,
+/// whose place the stiffness of contact takes: `κ = E/(h/2)`. A softer one spreads the pressure of a contact a few spacings wide.
 pub(super) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid) -> Option<Side> {
     touches(scene)?;
     let block = solid.block();
@@ -71,7 +72,7 @@ pub(super) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid
         body: 0,
         mesh: Mesh::points(&points, 0.5 * spacing),
         thickness: spacing,
-        stiffness: stiffness(young(body), spacing, spacing),
+        stiffness: 2.0 * young(body) / spacing,
         spacing,
         rest: block.positions.clone(),
         inside: None,

@@ -6,8 +6,8 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::levels::Levels;
 use crate::scene::problem::BodyScene;
 use crate::scene::shell::formulation::Formulation;
-use crate::scene::tools::ToolScene;
 use crate::scene::statics::{ArcLength, Branches, Linear, LinearSolver, Relaxation, Static, Stop};
+use crate::scene::tools::ToolScene;
 
 /// Every level is a ramp and a hold; more than this is a mistake.
 const MOST_LEVELS: u64 = 100_000;

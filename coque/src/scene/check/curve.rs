@@ -13,8 +13,8 @@ use crate::scene::output::Output;
 use crate::scene::problem::BodyScene;
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
-use crate::scene::tools::ToolScene;
 use crate::scene::solid::SolidScene;
+use crate::scene::tools::ToolScene;
 use crate::scene::units::Length;
 
 fn check_checkpoints(scene: &BodyInScene<'_>) -> Verdict {
