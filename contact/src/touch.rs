@@ -38,7 +38,8 @@ pub struct Touch {
 
 impl Touch {
     /// Far from each other.
-    const NONE: Self = Self { energy: 0.0, force: Vec3::new(0.0, 0.0, 0.0), greatest_depth: 0.0, area: 0.0 };
+    pub const NONE: Self =
+        Self { energy: 0.0, force: Vec3::new(0.0, 0.0, 0.0), greatest_depth: 0.0, area: 0.0 };
 }
 
 impl ToolContact {

@@ -24,12 +24,9 @@ pub(super) fn holds(scene: &Checked) -> Vec<String> {
     held
 }
 
-/// The tools of all shells.
+/// The tools of all bodies.
 fn tools(scene: &Checked) -> impl Iterator<Item = &ToolScene> {
-    scene.bodies.values().flat_map(|body| match body {
-        BodyScene::Shell(shell) => &shell.tools[..],
-        _ => &[],
-    })
+    scene.bodies.values().flat_map(BodyScene::tools)
 }
 
 /// What they do not hold, each with the probe that tells how much it is, where there is one.

@@ -9,7 +9,7 @@ use super::rigid_body::build::rigid_model;
 use super::shell::build::shell_model;
 use super::solid::build::solid_model;
 use super::together::build::together_model;
-use crate::scene::body_in_scene::ShellInScene;
+use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
 use crate::scene::error::SceneError;
 use crate::scene::{BodyScene, Checked};
 
@@ -34,7 +34,9 @@ impl Checked {
                 return coupled_model(&bodies, of_fluid, fluid, threads);
             }
         }
-        if bodies.len() > 1 {
+        let tools_of_solid =
+            |of: &BodyInScene<'_>| of.as_solid().is_some_and(|solid| !solid.tools.is_empty());
+        if bodies.len() > 1 || bodies.iter().any(tools_of_solid) {
             return together_model(self, &bodies, threads);
         }
         let scene = &self.first_body()?;

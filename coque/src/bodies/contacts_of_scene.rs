@@ -16,9 +16,9 @@ pub(crate) struct ContactsOfScene {
 impl ContactsOfScene {
     /// Those of a scene and of the body that it makes.
     pub fn of(scene: &Scene, body: &dyn Body) -> Self {
-        let tools = |name: &str| match scene.bodies.get(name) {
-            Some(BodyScene::Shell(shell)) => shell.tools.iter().map(|tool| tool.name.clone()).collect(),
-            _ => Vec::new(),
+        let tools = |name: &str| {
+            let tools = scene.bodies.get(name).map_or(&[][..], BodyScene::tools);
+            tools.iter().map(|tool| tool.name.clone()).collect()
         };
         // A body that is one has no names of its parts.
         let names: Vec<&str> = match body.bodies() {

@@ -41,6 +41,7 @@ pub(crate) mod sets;
 pub(crate) mod shell;
 mod solid;
 mod together;
+mod tool_shapes;
 mod unseen;
 
 pub(crate) use body::extent;

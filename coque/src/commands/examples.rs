@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 66] = [
+const EXAMPLES: [Example; 67] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
@@ -49,6 +49,7 @@ const EXAMPLES: [Example; 66] = [
     Example::new("crack-branching", 3.0, include_str!("../../../scenes/crack-branching.toml")),
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
     Example::new("dam-break", 3.0, include_str!("../../../scenes/dam-break.toml")),
+    Example::new("drum-on-block", 4.0, include_str!("../../../scenes/drum-on-block.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),

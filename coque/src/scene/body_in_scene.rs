@@ -172,14 +172,15 @@ impl<'a> BodyInScene<'a> {
     pub(crate) fn may_touch(&self) -> bool {
         match self.body {
             BodyScene::Shell(shell) => !(shell.tools.is_empty() && self.scene.contact.is_empty()),
-            BodyScene::Solid(_) | BodyScene::Rigid(_) => !self.scene.contact.is_empty(),
+            BodyScene::Solid(solid) => !(solid.tools.is_empty() && self.scene.contact.is_empty()),
+            BodyScene::Rigid(_) => !self.scene.contact.is_empty(),
             BodyScene::Fluid(_) | BodyScene::Walls(_) => false,
         }
     }
 
-    /// Whether any body of the scene is a shell that may touch.
+    /// Whether any body of the scene may touch.
     pub(crate) fn any_may_touch(&self) -> bool {
-        let tools = |body: &BodyScene| matches!(body, BodyScene::Shell(shell) if !shell.tools.is_empty());
+        let tools = |body: &BodyScene| !body.tools().is_empty();
         !self.scene.contact.is_empty() || self.scene.bodies.values().any(tools)
     }
 

@@ -38,6 +38,7 @@ pub(crate) mod source;
 mod statics;
 mod supports;
 mod tables;
+mod tools;
 mod touched_walls;
 pub(crate) mod units;
 mod velocity;
@@ -74,7 +75,6 @@ pub use shell::material::{
 };
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
-pub use shell::tools::{ToolBlock, ToolCapsule, ToolCylinder, ToolPlane, ToolScene, ToolSphere};
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};
@@ -93,6 +93,7 @@ pub use statics::{
     RelaxationDamping, Static, Stop,
 };
 pub use supports::*;
+pub use tools::{ToolBlock, ToolCapsule, ToolCylinder, ToolPlane, ToolScene, ToolSphere};
 pub use velocity::{Spin, Velocity};
 pub use walls::{
     Basin, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface, WallTranslation,

@@ -22,6 +22,7 @@ use super::shell::ShellScene;
 use super::solid::SolidScene;
 use super::source::{BODIES, Source};
 use super::supports::Support;
+use super::tools::ToolScene;
 use super::units::{Quantity, Units};
 use super::velocity::Velocity;
 use super::walls::WallsScene;
@@ -110,6 +111,15 @@ impl BodyScene {
             Self::Fluid(fluid) => fluid.velocity.as_ref(),
             Self::Walls(_) => None,
             Self::Rigid(rigid) => rigid.velocity.as_ref(),
+        }
+    }
+
+    /// Rigid tools that it may touch.
+    pub fn tools(&self) -> &[ToolScene] {
+        match self {
+            Self::Shell(shell) => &shell.tools,
+            Self::Solid(solid) => &solid.tools,
+            Self::Fluid(_) | Self::Walls(_) | Self::Rigid(_) => &[],
         }
     }
 }

@@ -1,28 +1,32 @@
-//! Walls of a fluid that a shell touches: the same faces as tools of the shell.
+//! Walls of a fluid that a body touches: the same faces as tools of the body.
 
 use super::contact::ContactScene;
 use super::problem::{BodyScene, Scene};
 use super::sets::OF_WALLS;
-use super::shell::tools::{ToolBlock, ToolPlane, ToolScene};
+use super::tools::{ToolBlock, ToolPlane, ToolScene};
 use super::walls::{WallGeometry, WallsScene};
 use crate::scene::bounded::numbers;
 
 impl Scene {
-    /// Gives each shell the faces of the walls that it touches, as tools by the name of the walls; those it has already stay.
+    /// Gives each body the faces of the walls that it touches, as tools by the name of the walls; those it has already stay.
     pub(super) fn touch_walls(&mut self) {
         let mut found: Vec<(String, ToolScene)> = Vec::new();
         for own in &self.contact {
             let Some([a, b]) = own.pair() else { continue };
-            for (shell, walls) in [(a, b), (b, a)] {
+            for (body, walls) in [(a, b), (b, a)] {
                 if let Some(BodyScene::Walls(scene)) = self.bodies.get(walls) {
-                    found.extend(faces(walls, scene, own).into_iter().map(|tool| (shell.clone(), tool)));
+                    found.extend(faces(walls, scene, own).into_iter().map(|tool| (body.clone(), tool)));
                 }
             }
         }
         for (name, tool) in found {
-            let Some(BodyScene::Shell(shell)) = self.bodies.get_mut(&name) else { continue };
-            if shell.tools.iter().all(|known| known.name != tool.name) {
-                shell.tools.push(tool);
+            let tools = match self.bodies.get_mut(&name) {
+                Some(BodyScene::Shell(shell)) => &mut shell.tools,
+                Some(BodyScene::Solid(solid)) => &mut solid.tools,
+                _ => continue,
+            };
+            if tools.iter().all(|known| known.name != tool.name) {
+                tools.push(tool);
             }
         }
     }

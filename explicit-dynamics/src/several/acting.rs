@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::interaction::{Interaction, Joinable, Places};
-use crate::step::Work;
+use crate::step::{Instant, Work};
 
 /// An interaction with what it sees and exerts.
 pub(crate) struct Acting {
@@ -35,11 +35,12 @@ impl Acting {
         Self { interaction, particles, ranges, places, forces, before, after, masses, rests: false }
     }
 
-    /// Lets it act on the systems at their present places; its energy \[F L\].
-    pub fn act<S: Joinable + ?Sized>(&mut self, systems: &mut [Box<S>]) -> f64 {
+    /// Lets it act on the systems at their present places and an instant; its energy \[F L\].
+    pub fn act<S: Joinable + ?Sized>(&mut self, systems: &mut [Box<S>], at: Instant) -> f64 {
         if self.rests {
             return 0.0;
         }
+        self.interaction.put(at);
         self.see(systems);
         let Self { interaction, particles, ranges, places, forces, .. } = self;
         let energy = interaction.evaluate(places, forces);
@@ -106,9 +107,14 @@ impl Acting {
         self.interaction.commit();
     }
 
+    /// Whether its work is no other than that of the forces on the systems.
+    fn is_left_out(&self) -> bool {
+        self.rests || self.interaction.is_external()
+    }
+
     /// Reads the velocities before a kick.
     pub fn before<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) {
-        if self.rests {
+        if self.is_left_out() {
             return;
         }
         read(systems, &self.particles, &self.ranges, &mut self.before);
@@ -116,7 +122,7 @@ impl Acting {
 
     /// Takes its own work over a kick out of the external work, and counts what it resisted as internal forces do.
     pub fn after<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>], kick: f64, work: &mut Work) {
-        if self.rests {
+        if self.is_left_out() {
             return;
         }
         read(systems, &self.particles, &self.ranges, &mut self.after);

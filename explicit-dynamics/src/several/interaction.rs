@@ -5,6 +5,7 @@ use std::any::Any;
 use crate::dynamics::Dynamics;
 use crate::error::OutOfBounds;
 use crate::linearised::MassScaled;
+use crate::step::Instant;
 
 /// Places on which an interaction acts, with their velocities and masses.
 pub struct Places<'a> {
@@ -49,6 +50,14 @@ pub trait Joinable: Dynamics + MassScaled {
 pub trait Interaction: Any + Send {
     /// Particles on which it acts, a list for each system; it never changes.
     fn particles(&self) -> Vec<Vec<u32>>;
+
+    /// Puts what is prescribed of it where an instant has that.
+    fn put(&mut self, _at: Instant) {}
+
+    /// Whether something prescribed, which is no system, takes part: its work is external then, as that of loads, and it has no energy.
+    fn is_external(&self) -> bool {
+        false
+    }
 
     /// Fills in the forces at present places; returns its energy \[F L\].
     fn evaluate(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64;

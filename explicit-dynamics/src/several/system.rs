@@ -26,13 +26,13 @@ impl<S: Joinable + ?Sized> Several<S> {
         fits && self.acting.iter_mut().zip(kept).all(|(acting, kept)| acting.take_up(&self.systems, kept))
     }
 
-    /// Lets them act on each other at their present places; the energy of that \[F L\].
-    fn act(&mut self) -> f64 {
+    /// Lets them act on each other at their present places and an instant; the energy of that \[F L\].
+    fn act(&mut self, at: Instant) -> f64 {
         if self.acting.is_empty() {
             return 0.0;
         }
         self.systems.iter_mut().for_each(|system| system.release());
-        self.acting.iter_mut().map(|acting| acting.act(&mut self.systems)).sum()
+        self.acting.iter_mut().map(|acting| acting.act(&mut self.systems, at)).sum()
     }
 }
 
@@ -81,7 +81,7 @@ fn sum(works: impl Iterator<Item = Work>) -> Work {
 
 impl<S: Joinable + ?Sized> Dynamics for Several<S> {
     fn evaluate(&mut self, at: Instant) -> f64 {
-        let between = self.act();
+        let between = self.act(at);
         let own: f64 = self.systems.iter_mut().map(|system| system.evaluate(at)).sum();
         own + between
     }

@@ -17,7 +17,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
     fn evaluate(&mut self, at: Instant) -> f64 {
         let stored = self.fluid.evaluate(at);
         self.hand_loads();
-        let stored = stored + self.act();
+        let stored = stored + self.act(at);
         self.each().fold(stored, |sum, (structure, body)| {
             structure.energy.internal = body.evaluate(at);
             sum + structure.energy.internal
@@ -204,7 +204,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
         }
         if !kicked {
             // The work of what they do to each other takes the velocities behind the kick, which a drift may carry on.
-            self.act();
+            self.act(step.from);
             self.acting.iter_mut().for_each(|acting| acting.before(&self.bodies));
             for k in group.clone() {
                 self.bodies[k].evaluate(step.from);
@@ -220,13 +220,13 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
         self.acting.iter_mut().for_each(Acting::commit);
     }
 
-    /// Lets structures act on each other at their present places; the energy of that \[F L\].
-    fn act(&mut self) -> f64 {
+    /// Lets structures act on each other at their present places and an instant; the energy of that \[F L\].
+    fn act(&mut self, at: Instant) -> f64 {
         if self.acting.is_empty() {
             return 0.0;
         }
         self.bodies.iter_mut().for_each(|body| body.release());
-        self.acting.iter_mut().map(|acting| acting.act(&mut self.bodies)).sum()
+        self.acting.iter_mut().map(|acting| acting.act(&mut self.bodies, at)).sum()
     }
 
     /// The forces that the fluid has just found, with the velocities with which it saw the points.

@@ -94,8 +94,9 @@ impl Acting {
         self.targets = asked.iter().map(place).collect();
     }
 
-    /// Whether it joins other pairs of the present places than before.
-    pub fn changed<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) -> bool {
+    /// Whether it joins other pairs of the present places at a level than before.
+    pub fn changed<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>], level: f64) -> bool {
+        self.interaction.put(level);
         self.see(systems);
         self.interaction.pairs_changed(&self.places)
     }
@@ -146,8 +147,9 @@ impl Acting {
         }
     }
 
-    /// Lets it act on the systems at their present places; its energy \[F L\].
-    pub fn act<S: Joinable + ?Sized>(&mut self, systems: &mut [Box<S>]) -> f64 {
+    /// Lets it act on the systems at their present places and a level; its energy \[F L\].
+    pub fn act<S: Joinable + ?Sized>(&mut self, systems: &mut [Box<S>], level: f64) -> f64 {
+        self.interaction.put(level);
         self.see(systems);
         let Self { interaction, particles, ranges, places, forces, .. } = self;
         let energy = interaction.evaluate(places, forces);
@@ -168,6 +170,17 @@ impl Acting {
         let mut blocks = vec![[[0.0; 3]; 3]; self.pairs.len()];
         self.interaction.stiffness(&self.places, &mut blocks);
         self.visit(&moves, &blocks, |number, _, value| values[self.targets[number]] += value);
+    }
+
+    /// Adds what a unit of level adds to its forces at the places last evaluated.
+    pub fn add_rates<S: Joinable + ?Sized>(&self, systems: &[Box<S>], first: &[usize], out: &mut [f64]) {
+        let mut rates = vec![[0.0; 3]; self.places.len()];
+        if !self.interaction.rates(&self.places, &mut rates) {
+            return;
+        }
+        for (moves, rate) in self.moves(systems, first).iter().zip(&rates) {
+            moves.iter().for_each(|(unknown, way)| out[*unknown] += dot(way, rate));
+        }
     }
 
     /// Adds to bounds of the spectrum what it adds to the sums over rows: of each place the largest of its three axes, so that no turn

@@ -29,6 +29,9 @@ pub trait Interaction: Any + Send {
     /// Particles on which it acts, a list for each system; it never changes.
     fn particles(&self) -> Vec<Vec<u32>>;
 
+    /// Puts what is prescribed of it where a level has that.
+    fn put(&mut self, _level: f64) {}
+
     /// Pairs of places that share a block of its tangent, each once, and places with themselves; the same ones until
     /// [`Interaction::pairs_changed`] says otherwise.
     fn pairs(&self) -> Vec<[usize; 2]>;
@@ -76,6 +79,11 @@ pub trait Interaction: Any + Send {
 
     /// Fills in the forces at present places; returns its energy \[F L\].
     fn evaluate(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64;
+
+    /// Fills in by how much its forces change with the level at places, those last evaluated; false where nothing of it is prescribed \[F\].
+    fn rates(&self, _places: &[[f64; 3]], _rates: &mut [[f64; 3]]) -> bool {
+        false
+    }
 
     /// Second derivatives of its energy at places, those last evaluated, a block for each of [`Interaction::pairs`] \[F/L\].
     fn stiffness(&self, places: &[[f64; 3]], blocks: &mut [[[f64; 3]; 3]]);

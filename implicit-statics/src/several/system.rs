@@ -50,7 +50,7 @@ impl<S: Joinable + ?Sized> Several<S> {
             system.put(level);
             system.release();
         }
-        self.acting.iter_mut().map(|acting| acting.act(&mut self.systems)).sum()
+        self.acting.iter_mut().map(|acting| acting.act(&mut self.systems, level)).sum()
     }
 
     /// An interaction, in the order in which they were given.
@@ -160,7 +160,7 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
             self.systems.iter_mut().for_each(|system| system.put(level));
         }
         for acting in &mut self.acting {
-            changed |= acting.changed(&self.systems);
+            changed |= acting.changed(&self.systems, level);
         }
         if changed {
             self.entries = OnceCell::new();
@@ -195,6 +195,7 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
         self.act(level);
         self.parts(|own| &own.first).for_each(|(system, range)| system.load_rate(level, &mut out[range]));
+        self.acting.iter().for_each(|acting| acting.add_rates(&self.systems, &self.first, out));
     }
 
     fn tangent(&mut self, level: f64, values: &mut [f64]) {

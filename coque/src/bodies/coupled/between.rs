@@ -6,7 +6,7 @@ use sph_core::Vec3;
 
 use super::body::Clocks;
 use crate::bodies::body::Body;
-use crate::bodies::together::{Parts, TouchingBodies};
+use crate::bodies::together::{OnTool, Parts, TouchingBodies};
 
 impl Parts for Clocks {
     fn each(&self) -> Vec<&dyn Body> {
@@ -22,6 +22,10 @@ impl Parts for Clocks {
     }
 
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies> {
+        (Clocks::interaction(self, interaction)? as &dyn Any).downcast_ref()
+    }
+
+    fn on_tool(&self, interaction: usize) -> Option<&OnTool> {
         (Clocks::interaction(self, interaction)? as &dyn Any).downcast_ref()
     }
 

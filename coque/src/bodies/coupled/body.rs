@@ -136,10 +136,15 @@ impl Body for Coupled {
         let structures = self.layout.structures.len();
         match body.checked_sub(1) {
             Some(number) if number < structures => match self.structure(number) {
-                Some(structure) if shown.contact => {
-                    structure.fields_with_contact(shown, self.contact_fields(body))
+                Some(structure) => {
+                    let own = if shown.contact {
+                        structure.fields_with_contact(shown, self.contact_fields(body))
+                    } else {
+                        structure.fields(shown)
+                    };
+                    let rest = &self.rest[self.layout.structures[number].clone()];
+                    self.clocks.with_tools(&self.layout.contacts, (number, rest), own, shown.units)
                 }
-                Some(structure) => structure.fields(shown),
                 None => self.fields(shown),
             },
             Some(number) => {
@@ -180,8 +185,10 @@ impl Body for Coupled {
     }
 
     fn has_tools(&self, body: usize) -> bool {
-        let structure = self.structure_of(body).and_then(|(number, _)| self.structure(number));
-        structure.is_some_and(|structure| structure.has_tools(0))
+        let structure =
+            self.structure_of(body).and_then(|(number, _)| Some((number, self.structure(number)?)));
+        let tools = |number| !self.clocks.tools_of(&self.layout.contacts, number).is_empty();
+        structure.is_some_and(|(number, of)| of.has_tools(0) || tools(number))
     }
 
     fn outlines(&self) -> Vec<Outline> {

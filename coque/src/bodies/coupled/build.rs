@@ -19,7 +19,7 @@ use crate::bodies::fluid::walls::{BuiltWalls, Corner, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::memory::check_memory;
 use crate::bodies::refusal::model_error;
-use crate::bodies::together::{Side, TouchingBodies, contacts};
+use crate::bodies::together::{OnTool, Side, TouchingBodies, contacts, on_tools};
 use crate::bodies::{BuiltBody, Description, Memory, Model, Ready};
 use crate::scene::body_in_scene::{BodyInScene, gravity_on};
 use crate::scene::error::SceneError;
@@ -51,7 +51,9 @@ pub(in crate::bodies) fn coupled_model(
     let names: Vec<String> = wets.iter().map(|(name, _)| (*name).to_string()).collect();
     let sides: Vec<Side> = wets.iter_mut().filter_map(|(_, wet)| wet.side.take()).collect();
     let contacts = contacts(scene, &names, &sides)?;
-    built.layout.contacts = 0..contacts.len();
+    let structures: Vec<&BodyInScene<'_>> = wets.iter().map(|(_, wet)| wet.scene).collect();
+    let on_tools = on_tools(&structures, &sides)?;
+    built.layout.contacts = 0..contacts.len() + on_tools.len();
     let (watch, unseen) = watched(wanted, &fluid, &walls, &wets, &built.layout)?;
     let probes = {
         let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
@@ -82,6 +84,7 @@ pub(in crate::bodies) fn coupled_model(
     }
     description.bodies = bodies;
     description.modelled.extend(contacts.iter().map(TouchingBodies::line));
+    description.modelled.extend(on_tools.iter().map(OnTool::line));
     let memory = together(memory, &made);
     let identity = identity(&made);
     let mut structures: Vec<Box<dyn Structure>> = Vec::new();
@@ -92,7 +95,8 @@ pub(in crate::bodies) fn coupled_model(
         structures.push(made.body);
     }
     let contacts = contacts.into_iter().map(|own| Box::new(own) as Box<dyn Interaction>);
-    let mut clocks = TwoClocks::new(fluid, structures).with_interactions(contacts.collect());
+    let on_tools = on_tools.into_iter().map(|own| Box::new(own) as Box<dyn Interaction>);
+    let mut clocks = TwoClocks::new(fluid, structures).with_interactions(contacts.chain(on_tools).collect());
     clocks.order = coupling.order;
     clocks.impedance = coupling.impedance;
     let CoupledParts { layout, rest, cells } = built;

@@ -103,7 +103,7 @@ impl Loose<'_> {
         let name = self.scene.name;
         let message = format!(
             "{name}: nothing holds it along gravity, and it {why}: it may get to `{wall}`, {way:.4} below it, within the run. \
-             Structures and walls feel each other where a [[contact]] names a shell and walls that are a basin or a block, else it \
+             Structures and walls feel each other where a [[contact]] names a body and walls that are a basin or a block, else it \
              would go on through the wall; name that, hold it, or end the run before (the summary then says whether it got there)"
         );
         Some(Warning::new(WarningKind::NoContact, message))

@@ -52,7 +52,7 @@ impl Watch {
             let Entered { since, wall, depth, at } = *entered;
             let message = format!(
                 "{name}: at time {since:.4} it was in `{}`, at time {at:.4} as deep as {depth:.4}: structures and walls feel each other \
-                 where a [[contact]] names a shell and walls that are a basin or a block, so that from there on its motion and the \
+                 where a [[contact]] names a body and walls that are a basin or a block, so that from there on its motion and the \
                  forces on it are not what they would be; name that, hold it, or end the run before",
                 self.contact.wall(wall as usize)
             );

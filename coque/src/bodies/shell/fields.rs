@@ -11,8 +11,8 @@ use sph_shell::{Formulation, PointResult, Shell};
 
 use super::indicator::indicator;
 use super::linear_forces::LinearForces;
-use super::tool_shapes;
 use crate::bodies::sampled::{face_stress, von_mises};
+use crate::bodies::tool_shapes;
 use crate::bodies::{ContactFields, FieldRequest, FieldSource, Part, State};
 use crate::scene::ShellFace;
 use crate::scene::units::Quantity;
@@ -66,7 +66,10 @@ impl FieldSource for Content<'_> {
         match part {
             Part::Surface => self.surface(to),
             Part::Extruded => self.extruded(to),
-            Part::Tools => tool_shapes::write(self.shell, &self.shown.units, to),
+            Part::Tools => {
+                let tools: Vec<_> = self.shell.tools_as_they_stood().collect();
+                tool_shapes::write(&tools, self.shell.rest_positions(), &self.shown.units, to)
+            }
             // The checks leave a shell no other part.
             Part::Points => Ok(()),
         }

@@ -23,6 +23,5 @@ mod rigid;
 mod sections;
 mod start;
 mod thickness;
-mod tool_shapes;
 pub(super) mod tools;
 pub(crate) mod warnings;

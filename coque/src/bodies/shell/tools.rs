@@ -1,11 +1,12 @@
 //! Tools of a shell: their stiffness, and shells that stand in them at the start.
 
-use contact::{Law, ToolShape};
+use contact::Law;
 use sph_core::Cloud;
 use sph_shell::{LoadCase, Shell, Tool, contact_stiffness};
 
 use super::build::Builder;
 use super::sections::Sections;
+use crate::bodies::tool_shapes::shape;
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, ToolScene};
 
@@ -29,7 +30,7 @@ impl Builder<'_> {
         let tool = |tool: &ToolScene| {
             let rounding = tool.rounding.map_or(rounding, |rounding| rounding.get());
             Some(Tool {
-                shape: self.shape(tool)?,
+                shape: shape(tool, |place| self.turned(place))?,
                 moved: self.turned(tool.moved.unwrap_or_default()),
                 turn: tool.turn.unwrap_or_default(),
                 friction: tool.friction.map_or(0.0, |friction| friction.get()),
@@ -40,29 +41,6 @@ impl Builder<'_> {
             })
         };
         self.scene.shell.tools.iter().filter_map(tool).collect()
-    }
-
-    fn shape(&self, tool: &ToolScene) -> Option<ToolShape> {
-        let ToolScene { plane, sphere, cylinder, capsule, block, .. } = tool;
-        let plane = plane.map(|plane| ToolShape::Plane {
-            point: self.turned(plane.point),
-            normal: self.turned(plane.normal),
-        });
-        let sphere = sphere.map(|sphere| ToolShape::Sphere {
-            centre: self.turned(sphere.centre),
-            radius: sphere.radius.get(),
-        });
-        let cylinder = cylinder.map(|drum| ToolShape::Cylinder {
-            point: self.turned(drum.point),
-            axis: self.turned(drum.axis),
-            radius: drum.radius.get(),
-        });
-        let capsule = capsule.map(|capsule| ToolShape::Capsule {
-            ends: capsule.ends.map(|end| self.turned(end)),
-            radius: capsule.radius.get(),
-        });
-        let block = block.map(|block| ToolShape::Block { min: block.min.into(), max: block.max.into() });
-        plane.or(sphere).or(cylinder).or(capsule).or(block)
     }
 
     /// Refuses a shell that stands in a tool before anything moves.

@@ -60,11 +60,13 @@ impl<S: Parts> Body for Together<S> {
         let range = self.layout.forces.get(body).cloned();
         let forces = shown.forces.zip(range).map(|(forces, range)| &forces[range]);
         let (part, shown) = (self.system.each()[body], FieldRequest { forces, ..*shown });
-        if shown.contact {
+        let own = if shown.contact {
             part.fields_with_contact(&shown, self.contact_fields(body))
         } else {
             part.fields(&shown)
-        }
+        };
+        let rest = &self.layout.rest[self.layout.particles[body].clone()];
+        self.system.with_tools(&self.layout.contacts, (body, rest), own, shown.units)
     }
 
     fn place(&self, particle: usize) -> (usize, usize) {
@@ -85,7 +87,8 @@ impl<S: Parts> Body for Together<S> {
     }
 
     fn has_tools(&self, body: usize) -> bool {
-        self.system.each().get(body).is_some_and(|part| part.has_tools(0))
+        let own = self.system.each().get(body).is_some_and(|part| part.has_tools(0));
+        own || !self.system.tools_of(&self.layout.contacts, body).is_empty()
     }
 
     fn outlines(&self) -> Vec<Outline> {

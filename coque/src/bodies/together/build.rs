@@ -10,8 +10,10 @@ use super::body::Together;
 use super::contact::{Side, TouchingBodies};
 use super::joints::{BetweenBodies, SetsOfBodies};
 use super::layout::Layout;
+use super::on_tool::OnTool;
 use super::parts::{Balanced, BalancedPart, Marched, MarchedPart};
 use super::sides::{of_bonds, of_galerkin, of_rigid, of_shell};
+use super::tooled::on_tools;
 use super::touched::contacts;
 use crate::bodies::beside::{identity, judge_each, lines};
 use crate::bodies::body::Body;
@@ -62,6 +64,7 @@ pub(in crate::bodies) fn together_model(
     }
     let joints = BetweenBodies::find(scene, &layout, &sets)?;
     let contacts = contacts(scene, &layout.names, &sides)?;
+    let on_tools = on_tools(&bodies.iter().collect::<Vec<_>>(), &sides)?;
     let own = made.iter_mut().map(|(_, part)| std::mem::take(&mut part.probes)).collect();
     let probes = probes(scene, &layout, own)?;
     let warned = |(name, part): &mut (&str, BuiltBody<Part>)| -> Vec<Warning> {
@@ -70,7 +73,12 @@ pub(in crate::bodies) fn together_model(
     };
     let coarse = bodies.iter().filter_map(|body| galerkin_contact(scene, body));
     let warnings = made.iter_mut().flat_map(warned).chain(coarse).collect();
-    let description = described(scene, &made, joints.as_ref(), &contacts);
+    let description = described(
+        scene,
+        &made,
+        joints.as_ref(),
+        contacts.iter().map(TouchingBodies::line).chain(on_tools.iter().map(OnTool::line)),
+    );
     refuse_modes(scene, description.dof)?;
     let memory = made.iter().fold(Memory::default(), |sum, (_, part)| Memory {
         needed: sum.needed + part.memory.needed,
@@ -97,18 +105,22 @@ pub(in crate::bodies) fn together_model(
         });
         layout.forces = forces.collect();
     }
-    layout.contacts = usize::from(joints.is_some())..usize::from(joints.is_some()) + contacts.len();
+    layout.contacts =
+        usize::from(joints.is_some())..usize::from(joints.is_some()) + contacts.len() + on_tools.len();
     let body = match &scene.analysis {
         Analysis::Explicit(_) => {
             let springs = joints.map(|joints| Box::new(joints) as Box<dyn explicit_dynamics::Interaction>);
             let touching = contacts.into_iter().map(|own| Box::new(own) as _);
-            let system = Marched::new(marched, springs.into_iter().chain(touching).collect());
+            let on_tools = on_tools.into_iter().map(|own| Box::new(own) as _);
+            let system = Marched::new(marched, springs.into_iter().chain(touching).chain(on_tools).collect());
             Ready::Dynamic(Box::new(Together { system, layout }))
         }
         _ => {
             let springs = joints.map(|joints| Box::new(joints) as Box<dyn implicit_statics::Interaction>);
             let touching = contacts.into_iter().map(|own| Box::new(own) as _);
-            let system = Balanced::new(balanced, springs.into_iter().chain(touching).collect());
+            let on_tools = on_tools.into_iter().map(|own| Box::new(own) as _);
+            let system =
+                Balanced::new(balanced, springs.into_iter().chain(touching).chain(on_tools).collect());
             Ready::Static(Box::new(Together { system, layout }))
         }
     };
@@ -139,7 +151,7 @@ fn described(
     scene: &Scene,
     made: &[(&str, BuiltBody<Part>)],
     joints: Option<&BetweenBodies>,
-    contacts: &[TouchingBodies],
+    contacts: impl Iterator<Item = String>,
 ) -> Description {
     let each = || made.iter().map(|(_, part)| &part.description);
     let bodies: BTreeMap<String, Description> =
@@ -148,7 +160,7 @@ fn described(
     let bytes: f64 = each().map(|body| body.bytes_per_particle * body.particles as f64).sum();
     let mut modelled = lines(bodies.iter(), |body| &body.modelled);
     modelled.extend(joints.map(BetweenBodies::line));
-    modelled.extend(contacts.iter().map(TouchingBodies::line));
+    modelled.extend(contacts);
     let way = if matches!(scene.analysis, Analysis::Explicit(_)) { "one clock" } else { "one balance" };
     Description {
         kind: "several",

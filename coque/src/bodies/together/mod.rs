@@ -15,13 +15,18 @@ mod layout;
 mod march;
 mod moving;
 mod nodal;
+mod nodal_on_tool;
+mod on_tool;
 mod parts;
 mod sides;
 mod skin;
+mod tooled;
 mod touched;
 
 pub(super) use contact::{Side, TouchingBodies};
 pub(super) use kept::{kept_between, take_up_between};
+pub(super) use on_tool::OnTool;
 pub(super) use parts::Parts;
 pub(super) use sides::{of_bonds, of_shell};
+pub(super) use tooled::on_tools;
 pub(super) use touched::contacts;

@@ -4,12 +4,16 @@ use std::any::Any;
 use std::ops::Range;
 
 use contact::NodalContact;
+use mesh_io::FieldWriter;
 use sph_core::Vec3;
 
 use super::contact::TouchingBodies;
-use crate::bodies::ContactNow;
+use super::on_tool::OnTool;
 use crate::bodies::body::{Body, DynamicBody, StaticBody};
+use crate::bodies::tool_shapes;
+use crate::bodies::{ContactNow, FieldSource, Part};
 use crate::scene::Measured;
+use crate::scene::units::Units;
 
 /// A body that is marched beside others.
 pub(in crate::bodies) trait MarchedPart: DynamicBody + explicit_dynamics::Joinable {}
@@ -39,6 +43,9 @@ pub(in crate::bodies) trait Parts: Send {
 
     /// An interaction, if it is a contact.
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies>;
+
+    /// An interaction, if it is that of a solid and a tool.
+    fn on_tool(&self, interaction: usize) -> Option<&OnTool>;
 
     /// Energy that an interaction lost at a particle of a body \[F L\].
     fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64;
@@ -78,6 +85,11 @@ pub(in crate::bodies) trait Parts: Send {
         for contact in contacts.clone().filter_map(|number| self.touching(number)) {
             contact.nodal_contact(body, &mut nodal);
         }
+        let tools = self.tools_of(contacts, body);
+        if let Some(part) = self.each().get(body).filter(|_| !tools.is_empty()) {
+            let places = part.configuration().present;
+            tools.iter().for_each(|tool| tool.nodal_contact(&places, &mut nodal));
+        }
         nodal
     }
 
@@ -90,7 +102,36 @@ pub(in crate::bodies) trait Parts: Send {
         for own in between.filter_map(|contact| contact.gaps(body, particles, places)) {
             gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap = gap.min(own));
         }
+        for tool in self.tools_of(contacts, body) {
+            let own = tool.gaps(particles, &places(body));
+            gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap = gap.min(own));
+        }
         gaps
+    }
+
+    /// What a solid and its tools do to each other.
+    fn tools_of(&self, contacts: &Range<usize>, body: usize) -> Vec<&OnTool> {
+        let tools = contacts.clone().filter_map(|number| self.on_tool(number));
+        tools.filter(|tool| tool.body == body).collect()
+    }
+
+    /// The fields of a body with the tools that a solid may touch, whose particles are at these places at rest \[L\].
+    fn with_tools<'a>(
+        &'a self,
+        contacts: &Range<usize>,
+        (body, rest): (usize, &'a [Vec3]),
+        own: Box<dyn FieldSource + 'a>,
+        units: Units,
+    ) -> Box<dyn FieldSource + 'a> {
+        let tools = self.tools_of(contacts, body);
+        if tools.is_empty() {
+            return own;
+        }
+        let stood: Vec<_> = tools.iter().map(|tool| (tool.contact.tool, tool.stood)).collect();
+        Box::new(move |part: Part, to: &mut dyn FieldWriter| match part {
+            Part::Tools => tool_shapes::write(&stood, rest, &units, to),
+            part => own.write(part, to),
+        })
     }
 
     /// All contacts with what they do now.
@@ -101,7 +142,10 @@ pub(in crate::bodies) trait Parts: Send {
         };
         let places = |number: usize| parts[number].configuration().present;
         let between = contacts.clone().filter_map(|number| self.touching(number));
-        parts.iter().enumerate().flat_map(own).chain(between.map(|contact| contact.now(places))).collect()
+        let between = between.map(|contact| contact.now(places));
+        let on_tools = contacts.clone().filter_map(|number| self.on_tool(number));
+        let on_tools = on_tools.map(|tool| tool.now(|| places(tool.body)));
+        parts.iter().enumerate().flat_map(own).chain(between).chain(on_tools).collect()
     }
 }
 
@@ -119,6 +163,10 @@ impl Parts for Marched {
     }
 
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies> {
+        (Marched::interaction(self, interaction)? as &dyn Any).downcast_ref()
+    }
+
+    fn on_tool(&self, interaction: usize) -> Option<&OnTool> {
         (Marched::interaction(self, interaction)? as &dyn Any).downcast_ref()
     }
 
@@ -149,6 +197,10 @@ impl Parts for Balanced {
     }
 
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies> {
+        (Balanced::interaction(self, interaction)? as &dyn Any).downcast_ref()
+    }
+
+    fn on_tool(&self, interaction: usize) -> Option<&OnTool> {
         (Balanced::interaction(self, interaction)? as &dyn Any).downcast_ref()
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use contact::{Mesh, stiffness};
+use contact::Mesh;
 use peridynamics::Solid;
 use rigid_body::RigidBody;
 use sph_core::Vec3;
@@ -29,6 +29,12 @@ fn named(scene: &Scene, name: &str) -> Option<usize> {
         other.is_some_and(|other| !matches!(other, BodyScene::Walls(_)))
     };
     (0..scene.contact.len()).find(names)
+}
+
+/// Nothing of a solid that no contact names and that has no tools.
+fn touches(scene: &BodyInScene<'_>) -> Option<()> {
+    let tools = !scene.body.tools().is_empty();
+    (tools || named(scene.scene, scene.name).is_some()).then_some(())
 }
 
 /// The surface of a shell; none of one that no contact names.
@@ -58,9 +64,10 @@ pub(in crate::bodies) fn of_shell(
 }
 
 /// All nodes of a solid of bonds as balls of half the least spacing: the outermost lie so far inside the faces, and a fragment keeps its own. The
-/// area of each is its volume over its diameter; a layer of nodes is as stiff against a tool as a sheet of their spacing.
+/// area of each is its volume over its diameter. Between the face and the outermost nodes lies half a spacing of material without a bond of its own,
+/// whose place the stiffness of contact takes: `κ = E/(h/2)`. A softer one spreads the pressure of a contact a few spacings wide.
 pub(in crate::bodies) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid) -> Option<Side> {
-    named(scene.scene, scene.name)?;
+    touches(scene)?;
     let block = solid.block();
     let spacing = block.spacing.iter().copied().fold(f64::INFINITY, f64::min);
     let points: Vec<(u32, f64)> = (0..).zip(block.volumes.iter().map(|volume| volume / spacing)).collect();
@@ -69,7 +76,7 @@ pub(in crate::bodies) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, so
         body: 0,
         mesh: Mesh::points(&points, 0.5 * spacing),
         thickness: spacing,
-        stiffness: stiffness(young(body), spacing, spacing),
+        stiffness: 2.0 * young(body) / spacing,
         spacing,
         rest: block.positions.clone(),
         inside: None,
@@ -80,7 +87,7 @@ pub(in crate::bodies) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, so
 /// ones behind it. What is left out is as stiff as the contact of its thickness, `κ = E/r`. A node on an edge of the body stands for its part of
 /// one side, the greatest: a body presses on one at a time.
 pub(super) fn of_galerkin(scene: &BodyInScene<'_>, body: &SolidScene, solid: &GalerkinSolid) -> Option<Side> {
-    named(scene.scene, scene.name)?;
+    touches(scene)?;
     let (nodes, cells) = (solid.galerkin().rest(), solid.configuration().cells);
     let behind = behind(solid.hexahedra(), nodes);
     let length = |a: u32, b: u32| (nodes[a as usize] - nodes[b as usize]).norm();

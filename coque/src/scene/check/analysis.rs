@@ -6,8 +6,8 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::levels::Levels;
 use crate::scene::problem::BodyScene;
 use crate::scene::shell::formulation::Formulation;
-use crate::scene::shell::tools::ToolScene;
 use crate::scene::statics::{ArcLength, Branches, Linear, LinearSolver, Relaxation, Static, Stop};
+use crate::scene::tools::ToolScene;
 
 /// Every level is a ramp and a hold; more than this is a mistake.
 const MOST_LEVELS: u64 = 100_000;
@@ -187,7 +187,7 @@ pub(super) fn check_driver(scene: &BodyInScene<'_>) -> Verdict {
     let (s, what) = (&scene.scope(), scene.analysis.kind().name);
     let supports = scene.supports.iter().filter(|support| !support.preload);
     let motions = || supports.clone().filter_map(|support| Some((support, support.motion()?)));
-    if scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_driven_by_level)) {
+    if scene.body.tools().iter().any(ToolScene::is_driven_by_level) {
         return Ok(());
     }
     if scene.loads.iter().any(|load| !load.preload) || motions().any(|(_, (_, by))| by != 0.0) {

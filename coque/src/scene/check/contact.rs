@@ -118,19 +118,20 @@ fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     Ok(())
 }
 
-/// Walls are tools of a shell: basins and blocks, which stand or move without turning.
+/// Walls are tools of shells and solids: basins and blocks, which stand or move without turning.
 fn check_walls(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     let path = format!("contact[{number}].between");
     for (name, other) in [(&between[0], &between[1]), (&between[1], &between[0])] {
         let Some(BodyScene::Walls(walls)) = scene.bodies.get(name) else { continue };
-        let Some(BodyScene::Shell(shell)) = scene.bodies.get(other) else {
-            let bound = format!("a shell beside the walls `{name}`: other bodies do not touch walls");
-            let repair = "name a shell, or leave the contact out";
+        if !matches!(scene.bodies.get(other), Some(BodyScene::Shell(_) | BodyScene::Solid(_))) {
+            let bound =
+                format!("a shell or a solid beside the walls `{name}`: other bodies do not touch walls");
+            let repair = "name a shell or a solid, or leave the contact out";
             return refuse(scene, &path, &format!("\"{other}\""), &bound, repair);
-        };
+        }
         if !matches!(walls.geometry, WallGeometry::Basin(_) | WallGeometry::Block(_)) {
             let bound = "walls that are a `basin` or a `block`, whose faces are known exactly";
-            let repair = "give the shell [[bodies.NAME.shell.tools]] of the same shape";
+            let repair = "give the other body tools of the same shape, [[bodies.NAME.shell.tools]]";
             return refuse(scene, &path, &format!("\"{name}\""), bound, repair);
         }
         if walls.motion.as_ref().is_some_and(|motion| motion.rotation.is_some()) {
@@ -138,7 +139,9 @@ fn check_walls(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
             let repair = "leave the rotation out, or the contact";
             return refuse(scene, &path, &format!("\"{name}\", which turns"), bound, repair);
         }
-        if shell.orientation.is_some() {
+        let turned =
+            |body: &BodyScene| matches!(body, BodyScene::Shell(shell) if shell.orientation.is_some());
+        if scene.bodies.get(other).is_some_and(turned) {
             let bound =
                 format!("a shell without `orientation` beside the walls `{name}`, which lie along the axes");
             let repair = "give the shell its place by `placed`";
@@ -171,7 +174,7 @@ fn check_unmeasured(scene: &Scene, number: usize, between: &[String; 2]) -> Verd
 }
 
 /// Why a solid has no surface that others touch.
-fn without_surface(solid: &SolidScene) -> Option<&'static str> {
+pub(super) fn without_surface(solid: &SolidScene) -> Option<&'static str> {
     let bonds = solid.galerkin().is_none();
     if solid.is_plane() {
         Some("a body in space: a plane one has no faces that others touch")

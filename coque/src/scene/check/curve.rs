@@ -14,8 +14,8 @@ use crate::scene::output::Output;
 use crate::scene::problem::BodyScene;
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
-use crate::scene::shell::tools::ToolScene;
 use crate::scene::solid::SolidScene;
+use crate::scene::tools::ToolScene;
 use crate::scene::units::Length;
 
 fn check_checkpoints(scene: &BodyInScene<'_>) -> Verdict {
@@ -167,7 +167,8 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     }
     let solid = scene.as_solid();
     if solid.is_some_and(|solid| solid.galerkin().is_some()) {
-        let touching = scene.may_touch().then_some(ContactForce);
+        let touching = [ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea];
+        let touching = touching.into_iter().filter(|_| scene.may_touch());
         return [Displacement, Position, Reaction].into_iter().chain(touching).collect();
     }
     let mut known = vec![Displacement, Position, Reaction, Velocity];
@@ -178,7 +179,7 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
         known.extend([ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea]);
     }
     let rubs = |contact: &ContactScene| contact.is_rough() && contact.is_of(scene.name);
-    let rubbed = scene.as_shell().is_some_and(|shell| shell.tools.iter().any(ToolScene::is_rough));
+    let rubbed = scene.body.tools().iter().any(ToolScene::is_rough);
     if rubbed || scene.scene.contact.iter().any(rubs) {
         known.push(FrictionLoss);
     }

@@ -15,6 +15,7 @@ mod several;
 mod shell;
 mod solid;
 mod together;
+mod tools;
 
 use self::analysis::check_analysis;
 use self::conditions::{check_load, check_support};
@@ -25,9 +26,10 @@ use self::imperfection::check_imperfection;
 use self::preload::check_preload;
 use self::rigid::check_rigid;
 use self::sets::{check_set_name, check_sets};
-use self::shell::{check_parts, check_tools, check_wetting};
+use self::shell::{check_parts, check_wetting};
 use self::solid::check_solid;
 use self::together::{check_coupling, check_kinds, check_together};
+use self::tools::{check_tools, check_tools_of_solid};
 
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
@@ -110,10 +112,14 @@ fn check_body(scene: &BodyInScene<'_>) -> Verdict {
         BodyScene::Shell(shell) => {
             shell.check(s)?;
             check_parts(scene, shell, s)?;
-            check_tools(scene, shell, s)?;
+            check_tools(scene, s)?;
             check_wetting(scene, shell, s)?;
         }
-        BodyScene::Solid(solid) => solid.check(s)?,
+        BodyScene::Solid(solid) => {
+            solid.check(s)?;
+            check_tools(scene, s)?;
+            check_tools_of_solid(scene, solid, s)?;
+        }
         BodyScene::Fluid(fluid) => {
             fluid.check(s)?;
             check_velocity_of_fluid(fluid, s)?;

@@ -6,7 +6,6 @@ pub(crate) mod initial_stress;
 pub(crate) mod material;
 pub(crate) mod mesh;
 pub(crate) mod parts;
-pub(crate) mod tools;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -17,9 +16,9 @@ use geometry::{Geometry, Orientation, Placed};
 use initial_stress::InitialStress;
 use material::{Material, Section};
 use parts::{LumpedMass, RigidBody, ShellPart, ShellTie};
-use tools::ToolScene;
 
 use super::imperfection::Imperfection;
+use super::tools::ToolScene;
 use super::velocity::Velocity;
 
 /// A thin shell: its mid-surface, what it is made of, and the particle method.

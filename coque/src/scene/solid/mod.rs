@@ -10,6 +10,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::imperfection::Imperfection;
+use super::tools::ToolScene;
 use super::velocity::Velocity;
 use formulation::{Correction, SolidFormulation};
 use fracture::{Contact, Crack, Fracture};
@@ -37,6 +38,9 @@ pub struct SolidScene {
     pub unbreakable: Vec<String>,
     /// Contact of fragments with each other and with walls; left out, there is none.
     pub contact: Option<Contact>,
+    /// Rigid tools that it may touch, smooth ones.
+    #[serde(default)]
+    pub tools: Vec<ToolScene>,
     /// Deflection of the unstrained body.
     pub imperfection: Option<Imperfection>,
     /// Velocity at the start, in transient runs.

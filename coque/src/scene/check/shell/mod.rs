@@ -6,7 +6,6 @@ mod material;
 mod parts;
 mod placed;
 mod rigid;
-mod tools;
 
 use crate::scene::bounded::Polar;
 use crate::scene::error::{SceneError, Verdict};
@@ -16,7 +15,6 @@ use crate::scene::shell::geometry::{Geometry, Placing};
 
 pub(super) use self::parts::check_parts;
 pub(super) use self::placed::check_wetting;
-pub(super) use self::tools::check_tools;
 
 impl ShellScene {
     /// Refuses the first thing that is out of bounds.

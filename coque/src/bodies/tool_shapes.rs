@@ -1,4 +1,4 @@
-//! Tools as they are drawn: surfaces of cells that go with them, planes and cylinders as long as the shell needs them.
+//! Tools from a scene, and as they are drawn: surfaces of cells that go with them, planes and cylinders as long as the body needs them.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::io;
@@ -6,17 +6,17 @@ use std::io;
 use contact::{Pose, ToolShape};
 use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use sph_core::{Frame, Vec3};
-use sph_shell::Shell;
 
+use crate::scene::ToolScene;
 use crate::scene::units::{Quantity, Units};
 
 /// Cells round a round tool, and along the side of a plane.
 const ROUND: usize = 48;
 /// Cells along half of a meridian of a ball.
 const MERIDIAN: usize = 12;
-/// How long planes and cylinders are over the shell along them.
+/// How long planes and cylinders are over the body along them.
 const BEYOND: f64 = 1.3;
-/// How long they are at least, over the diagonal of the shell.
+/// How long they are at least, over the diagonal of the body.
 const LEAST: f64 = 0.25;
 /// Cells along a side of a plane and along a cylinder.
 const ALONG: usize = 16;
@@ -30,12 +30,34 @@ struct Drawn {
     tools: Vec<usize>,
 }
 
-/// Writes the tools of a shell as they stood when its forces were last evaluated.
-pub(super) fn write(shell: &Shell, units: &Units, to: &mut dyn FieldWriter) -> io::Result<()> {
+/// The shape of a tool, places and directions being turned.
+pub(super) fn shape(tool: &ToolScene, turned: impl Fn([f64; 3]) -> Vec3) -> Option<ToolShape> {
+    let ToolScene { plane, sphere, cylinder, capsule, block, .. } = tool;
+    let plane =
+        plane.map(|plane| ToolShape::Plane { point: turned(plane.point), normal: turned(plane.normal) });
+    let sphere =
+        sphere.map(|sphere| ToolShape::Sphere { centre: turned(sphere.centre), radius: sphere.radius.get() });
+    let cylinder = cylinder.map(|drum| ToolShape::Cylinder {
+        point: turned(drum.point),
+        axis: turned(drum.axis),
+        radius: drum.radius.get(),
+    });
+    let capsule = capsule
+        .map(|capsule| ToolShape::Capsule { ends: capsule.ends.map(&turned), radius: capsule.radius.get() });
+    let block = block.map(|block| ToolShape::Block { min: block.min.into(), max: block.max.into() });
+    plane.or(sphere).or(cylinder).or(capsule).or(block)
+}
+
+/// Writes the tools of a body of these places at rest \[L\], with how far they had moved and turned when its forces were last evaluated.
+pub(super) fn write(
+    tools: &[(ToolShape, Pose)],
+    rest: &[Vec3],
+    units: &Units,
+    to: &mut dyn FieldWriter,
+) -> io::Result<()> {
     let mut drawn = Drawn::default();
-    let tools: Vec<(ToolShape, Pose)> = shell.tools_as_they_stood().collect();
     for (number, (shape, _)) in tools.iter().enumerate() {
-        drawn.add(shape, shell.rest_positions());
+        drawn.add(shape, rest);
         drawn.tools.resize(drawn.places.len(), number);
     }
     let now = |i: usize| {
@@ -51,7 +73,7 @@ pub(super) fn write(shell: &Shell, units: &Units, to: &mut dyn FieldWriter) -> i
     to.numbers(At::Points, "tool", "-", &[], Values::Single(&numbers))
 }
 
-/// Where the shell lies along a direction: the ends of what is drawn there.
+/// Where the body lies along a direction: the ends of what is drawn there.
 fn reach(rest: &[Vec3], along: &Vec3) -> [f64; 2] {
     let corner = |pick: fn(f64, f64) -> f64| rest.iter().copied().reduce(|a, b| a.zip_map(&b, pick));
     let diagonal = (corner(f64::max).unwrap_or_default() - corner(f64::min).unwrap_or_default()).norm();

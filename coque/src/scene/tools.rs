@@ -1,4 +1,4 @@
-//! Rigid tools that a shell may touch.
+//! Rigid tools that a body may touch.
 
 use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
@@ -6,8 +6,8 @@ use serde::Deserialize;
 
 use crate::scene::bounded::{FrictionCoefficient, Positive, Rounding};
 
-/// A rigid tool of one shape, smooth unless `friction` is given. It pushes on both faces of the shell, whose mid-surface stands half a thickness off it when they
-/// touch.
+/// A rigid tool of one shape, smooth unless `friction` is given. It pushes on both faces of a shell, whose mid-surface stands half a thickness off it when they
+/// touch, or on the faces of a solid.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct ToolScene {
@@ -33,17 +33,17 @@ pub struct ToolScene {
     /// Whether its motion is made in full before the analysis and held: the level counts the other motions.
     #[serde(default)]
     pub preload: bool,
-    /// Coefficient of friction μ \[–\]; left out, none.
+    /// Coefficient of friction μ \[–\], on shells; left out, none.
     pub friction: Option<FrictionCoefficient>,
     /// Factor on the stiffness of contact; left out, 1: the lesser of what the thickness gives, 2E/t, and of what shortens steps in time by
-    /// a tenth at most.
+    /// a tenth at most; of a solid E/r, r half of the spacing of bonds and a tenth of that of a Galerkin solid.
     pub stiffness: Option<Positive>,
     /// Depth over half of the thickness up to which the force sets in softly \[–\]; left out, .05 in time, where bodies bounce, and 0
     /// without time.
     pub rounding: Option<Rounding>,
 }
 
-/// A half space; shells are on the side of its normal.
+/// A half space; bodies are on the side of its normal.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolPlane {

@@ -2,26 +2,26 @@
 
 use std::collections::BTreeSet;
 
+use crate::scene::analysis::Analysis;
 use crate::scene::analysis_kind::Contacts;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::conditions::check_course;
+use crate::scene::check::contact::without_surface;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
-use crate::scene::shell::ShellScene;
-use crate::scene::shell::tools::ToolScene;
+use crate::scene::solid::SolidScene;
+use crate::scene::tools::ToolScene;
 
 /// Refuses tools without a shape or of several, of one name, without directions, and in analyses that know no contact.
-pub(in crate::scene::check) fn check_tools(
-    scene: &BodyInScene<'_>,
-    shell: &ShellScene,
-    s: &Scope<'_>,
-) -> Verdict {
-    if shell.tools.is_empty() {
+pub(super) fn check_tools(scene: &BodyInScene<'_>, s: &Scope<'_>) -> Verdict {
+    let tools = scene.body.tools();
+    if tools.is_empty() {
         return Ok(());
     }
     let kind = scene.analysis.kind();
     let refuse = |bound: String, repair: &str| {
-        Err(SceneError::Choice(s.fault("tools", "tools that the shell may touch", &bound, repair)))
+        let value = format!("tools that the {} may touch", scene.body.word());
+        Err(SceneError::Choice(s.fault("tools", &value, &bound, repair)))
     };
     let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
     match kind.contacts {
@@ -34,7 +34,7 @@ pub(in crate::scene::check) fn check_tools(
         _ => {}
     }
     let mut names = BTreeSet::new();
-    for (i, tool) in shell.tools.iter().enumerate() {
+    for (i, tool) in tools.iter().enumerate() {
         let own = s.below(&format!("tools[{i}]"));
         if !names.insert(&tool.name) {
             let value = format!("\"{}\"", tool.name);
@@ -47,7 +47,7 @@ pub(in crate::scene::check) fn check_tools(
         }
         s.exactly_one(&format!("tools[{i}]"), "shape", &tool.given(), &ToolScene::SHAPES)?;
         check_shape(tool, &own)?;
-        check_block(tool, shell, &own)?;
+        check_block(scene, tool, &own)?;
         if let Some(moved) = &tool.moved {
             own.sized_all("moved", moved)?;
         }
@@ -108,6 +108,33 @@ fn check_preloaded(scene: &BodyInScene<'_>, tool: &ToolScene, s: &Scope<'_>) -> 
     Ok(())
 }
 
+/// Refuses tools of solids that have no surface, and what was not measured on them yet: friction, bonds at rest.
+pub(super) fn check_tools_of_solid(scene: &BodyInScene<'_>, solid: &SolidScene, s: &Scope<'_>) -> Verdict {
+    if solid.tools.is_empty() {
+        return Ok(());
+    }
+    let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(s.fault(key, value, bound, repair)))
+    };
+    if let Some(bound) = without_surface(solid) {
+        return refuse("tools", "tools that the solid may touch", bound, "leave them out");
+    }
+    let bonds = solid.galerkin().is_none();
+    if bonds && !matches!(scene.analysis, Analysis::Explicit(_)) {
+        let bound = "none at rest: contact of bonds was measured in marches alone";
+        let repair = "march it, by [analysis.explicit], or use [formulation.galerkin]";
+        return refuse("tools", "tools that a solid of bonds may touch", bound, repair);
+    }
+    for (i, tool) in solid.tools.iter().enumerate() {
+        if let Some(friction) = tool.friction.filter(|_| tool.is_rough()) {
+            let (key, value) = (format!("tools[{i}].friction"), format!("{}", friction.get()));
+            let bound = "zero: friction of solids was not measured yet";
+            return refuse(&key, &value, bound, "leave `friction` out");
+        }
+    }
+    Ok(())
+}
+
 /// Refuses turns that nothing feels, and turns without an axis.
 fn check_turn(tool: &ToolScene, s: &Scope<'_>) -> Verdict {
     let Some(angle) = tool.turn else { return Ok(()) };
@@ -123,7 +150,7 @@ fn check_turn(tool: &ToolScene, s: &Scope<'_>) -> Verdict {
 }
 
 /// Refuses a block without room inside, and one beside a shell that is turned, whose axes are not those of the block.
-fn check_block(tool: &ToolScene, shell: &ShellScene, s: &Scope<'_>) -> Verdict {
+fn check_block(scene: &BodyInScene<'_>, tool: &ToolScene, s: &Scope<'_>) -> Verdict {
     let Some(block) = &tool.block else { return Ok(()) };
     for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
         let (min, max) = (block.min[k], block.max[k]);
@@ -133,7 +160,7 @@ fn check_block(tool: &ToolScene, shell: &ShellScene, s: &Scope<'_>) -> Verdict {
             return Err(s.value(&format!("block.max[{k}]"), max, &bound, "exchange the two, or move one"));
         }
     }
-    if shell.orientation.is_some() {
+    if scene.as_shell().is_some_and(|shell| shell.orientation.is_some()) {
         let bound = "none beside an `orientation`: a block lies along the axes of space";
         let fault = s.fault("block", "a block", bound, "give the shell its place by `placed`");
         return Err(SceneError::Choice(fault));

@@ -1,0 +1,122 @@
+//! Solids on rigid tools: Hertz's pressure under a drum, an even pressure under a flat, energy of what is thrown on one, whatever moves, along
+//! whichever axis, the same bits however a run is cut, what is refused.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use common::sittings::stopped_again_and_again;
+use common::{column, last, overridden, ran, run};
+
+/// A Galerkin block under a flat.
+const PRESSED: &str = include_str!("solids_on_tools/pressed.toml");
+/// A block of bonds thrown on a flat.
+const THROWN: &str = include_str!("solids_on_tools/thrown.toml");
+/// A ball in place of the flat.
+const BALL: &str =
+    "[{ name = \"ball\", sphere = { centre = [0.5, 0.5, 1.5], radius = 1.0 }, moved = [0.0, 0.0, -0.02] }]";
+
+/// `p = √(P E*/πR)` at each level from that on at which the contact is two cells wide in its half.
+#[test]
+fn a_drum_presses_on_a_block_as_hertz_says() {
+    let outcome = run("drum-on-block.toml", &[]);
+    let [force, pressure, area] = ["P", "p", "area"].map(|name| column(&outcome, name));
+    let (young, radius) = (2.1e11 / 0.91, 10.0);
+    for i in 1..force.len() {
+        let exact = (force[i] * young / (std::f64::consts::PI * radius)).sqrt();
+        let half = (4.0 * force[i] * radius / (std::f64::consts::PI * young)).sqrt();
+        let off = pressure[i] / exact - 1.0;
+        println!("a/h {:.2} p {:+.4} area {:.3}", half / 0.05, off, area[i] / 0.05 / half);
+        assert!(half < 0.1 || off.abs() < 0.03, "{i}: {off}");
+    }
+}
+
+/// The outermost cell leaves `2w − w²` of itself unstrained and contact gives way by as much as lies outside of the surface, w = .1 of .25: a
+/// block of .5 is as stiff as one of .4775. Smooth shape functions strain a little more.
+#[test]
+fn a_flat_presses_evenly_whichever_of_both_moves_and_along_any_axis() {
+    let outcome = ran(overridden(PRESSED, "pressed.toml", &[]));
+    let [force, reaction] = ["F", "R"].map(|name| last(&outcome, name));
+    println!("{force} {reaction}");
+    assert!((force * 0.4775 - 1.0).abs() < 2.5e-2, "{force}");
+    assert!((force / reaction - 1.0).abs() < 1e-6, "{force} {reaction}");
+    let raised = [
+        ("supports.0.moved.by", "0.001"),
+        (
+            "bodies.block.solid.tools",
+            "[{ name = \"flat\", plane = { point = [0, 0, 0.5], normal = [0, 0, -1] } }]",
+        ),
+    ];
+    let other = last(&ran(overridden(PRESSED, "pressed.toml", &raised)), "F");
+    assert!((other / force - 1.0).abs() < 1e-8, "{other} {force}");
+    // x, y, z become y, z, x.
+    let round = PRESSED
+        .replace("[1, 0, 0]", "[0, 1, 0]'")
+        .replace("[0, 0, 1]", "[1, 0, 0]")
+        .replace("[[0, 1, 0]]", "[[0, 0, 1]]")
+        .replace("[0, 1, 0]'", "[0, 1, 0]")
+        .replace("block.y0", "block.Z")
+        .replace("block.x0", "block.y0")
+        .replace("block.z0", "block.x0")
+        .replace("block.Z", "block.z0")
+        .replace("[1.0, 1.0, 0.5]", "[0.5, 1.0, 1.0]")
+        .replace("[0.0, 0.0, 0.5]", "[0.5, 0.0, 0.0]")
+        .replace("[0.0, 0.0, -1.0]", "[-1.0, 0.0, 0.0]")
+        .replace("[0.0, 0.0, -0.001]", "[-0.001, 0.0, 0.0]")
+        .replace("direction = [0.0, 0.0, 1.0]", "direction = [1.0, 0.0, 0.0]");
+    let turned = last(&ran(overridden(&round, "pressed.toml", &[])), "F");
+    assert!((turned / force - 1.0).abs() < 1e-8, "{turned} {force}");
+}
+
+/// A standing flat does no work: 1.3e-4 of the kinetic energy measured over the impact.
+#[test]
+fn what_is_thrown_on_a_flat_keeps_its_energy() {
+    let outcome = ran(overridden(THROWN, "thrown.toml", &[]));
+    let force = column(&outcome, "F");
+    assert!(force.iter().any(|force| *force > 10.0) && *force.last().unwrap() == 0.0, "{force:?}");
+    assert!(last(&outcome, "gap") > 0.0);
+    let [kinetic, internal, external] =
+        ["kinetic", "internal", "external"].map(|name| column(&outcome, name));
+    let mut open = 0.0_f64;
+    for ((now, internal), external) in kinetic.iter().zip(&internal).zip(&external) {
+        open = open.max((now + internal - external - kinetic[0]).abs() / kinetic[0]);
+    }
+    let kept = (kinetic.last().unwrap() + internal.last().unwrap()) / kinetic[0] - 1.0;
+    println!("balance {open:.1e}, kept {kept:.1e}");
+    assert!(open < 1e-3 && kept.abs() < 1e-3, "{open} {kept}");
+}
+
+#[test]
+fn on_any_threads_and_stopped_the_bits_are_the_same() {
+    let scene = overridden(THROWN, "thrown.toml", &[]).unwrap();
+    let rows = |threads| scene.build(threads).unwrap().run(&mut coque::Silent).curve.rows;
+    let one = rows(1);
+    assert!([2, 3].into_iter().all(|threads| rows(threads) == one));
+    stopped_again_and_again("thrown-on-flat", THROWN, &[], 3);
+    stopped_again_and_again("under-ball", PRESSED, &[("bodies.block.solid.tools", BALL)], 1);
+}
+
+#[test]
+fn tools_that_a_solid_cannot_touch_are_refused() {
+    let refused = |text: &str, replaced: &[(&str, &str)]| {
+        let scene = overridden(text, "scene.toml", replaced);
+        scene.and_then(|scene| scene.build(1).map(drop)).unwrap_err().to_string()
+    };
+    let deep = "[{ name = \"flat\", plane = { point = [0.0, 0.0, 0.45], normal = [0.0, 0.0, -1.0] } }]";
+    let error = refused(PRESSED, &[("bodies.block.solid.tools", deep)]);
+    assert!(error.contains("tools[0]") && error.contains("deep in the solid"), "{error}");
+    let rough = BALL.replace("moved", "friction = 0.3, moved");
+    let error = refused(PRESSED, &[("bodies.block.solid.tools", &rough)]);
+    assert!(error.contains("tools[0].friction") && error.contains("friction of solids"), "{error}");
+    let linear = PRESSED.replace("static = { levels = 2 }", "linear = {}");
+    let error = refused(&linear, &[]);
+    assert!(error.contains("tools") && error.contains("nothing opens or closes"), "{error}");
+    let graded = [("bodies.cube.solid.geometry.block.grading", "[1.0, 1.0, 2.0]")];
+    let error = refused(THROWN, &graded);
+    assert!(error.contains("even lattice"), "{error}");
+    let resting = THROWN
+        .replace("explicit.transient = { duration = 0.012, record_every = 0.001 }", "static = { levels = 2 }")
+        .replace("velocity = { linear = [0.3, 0.1, -2.0] }", "");
+    let error = refused(&resting, &[]);
+    assert!(error.contains("none at rest"), "{error}");
+}
