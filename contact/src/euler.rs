@@ -91,9 +91,12 @@ impl Touched {
         at: &impl Fn(u32) -> Vec3,
     ) {
         let others = mesh.sides()[other as usize];
-        if let Some(&edge) = mesh.sides()[one as usize].iter().find(|edge| others.contains(edge)) {
-            self.add_edge(mesh, edge, -1, point, reach, at);
-            return;
+        let mut sides = mesh.sides()[one as usize].into_iter().filter(|edge| others.contains(edge));
+        match (sides.next(), sides.next()) {
+            (Some(edge), None) => return self.add_edge(mesh, edge, -1, point, reach, at),
+            // Both sides of one triangle.
+            (Some(_), Some(_)) => return self.share_all(mesh, point, reach, at),
+            _ => {}
         }
         let others = mesh.faces()[other as usize];
         let shared = mesh.faces()[one as usize].into_iter().find(|corner| others.contains(corner));

@@ -85,6 +85,7 @@ impl Mesh {
     }
 
     /// Its vertices.
+    #[inline]
     pub fn surface(&self) -> &Surface {
         &self.surface
     }
@@ -98,21 +99,25 @@ impl Mesh {
     }
 
     /// Corners of each face, by number of vertex.
+    #[inline]
     pub fn faces(&self) -> &[[u32; 3]] {
         &self.faces
     }
 
     /// Edges of each face: that from a corner to the next.
+    #[inline]
     pub(crate) fn sides(&self) -> &[[u32; 3]] {
         &self.sides
     }
 
     /// Ends of each edge, the lower first.
+    #[inline]
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges
     }
 
     /// Whether an edge belongs to one face only.
+    #[inline]
     pub(crate) fn is_rim(&self, edge: usize) -> bool {
         self.rims[edge]
     }

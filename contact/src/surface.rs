@@ -15,16 +15,19 @@ pub struct Vertex {
 
 impl Vertex {
     /// The particles whose mean it is: one, or four.
+    #[inline]
     pub fn nodes(&self) -> &[u32] {
         &self.nodes[..usize::from(self.count)]
     }
 
     /// The same as four numbers, a particle four times.
+    #[inline]
     pub(crate) fn corners(&self) -> [u32; 4] {
         self.nodes
     }
 
     /// Where it is.
+    #[inline]
     pub fn place(&self, at: impl Fn(u32) -> Vec3) -> Vec3 {
         match self.nodes {
             [a, ..] if self.count == 1 => at(a),
@@ -33,6 +36,7 @@ impl Vertex {
     }
 
     /// What a force on it is on each of its particles, and how far it goes with one of them \[–\].
+    #[inline]
     pub fn share(&self) -> f64 {
         1.0 / f64::from(self.count)
     }
@@ -95,6 +99,7 @@ impl Surface {
     }
 
     /// All vertices: particles in their order, then middles in the order of the cells.
+    #[inline]
     pub fn vertices(&self) -> &[Vertex] {
         &self.vertices
     }

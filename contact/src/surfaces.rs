@@ -299,6 +299,7 @@ impl SurfaceContact {
 }
 
 /// Vertices of a feature and how many they are.
+#[inline]
 fn corners_of(mesh: &Mesh, feature: Feature) -> ([u32; 3], usize) {
     match feature {
         Feature::Face(face) => (mesh.faces()[face as usize], 3),
@@ -311,6 +312,7 @@ fn corners_of(mesh: &Mesh, feature: Feature) -> ([u32; 3], usize) {
 }
 
 /// A point on a feature.
+#[inline]
 fn pair_of(mesh: &Mesh, feature: Feature, point: Vec3, at: impl Fn(u32) -> Vec3) -> Pair {
     let (corners, _) = corners_of(mesh, feature);
     let [a, b, c] = corners.map(at);

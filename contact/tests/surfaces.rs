@@ -5,7 +5,7 @@
 mod common;
 
 use common::{TOUCHING, Two, number, sheet};
-use contact::{Law, Mesh, Node, SurfaceContact, Touching};
+use contact::{Law, Mesh, Moving, Node, Pace, SurfaceContact, Touching};
 use nalgebra::{Matrix3, Rotation3};
 use sph_core::Vec3;
 
@@ -204,4 +204,46 @@ fn nothing_leaps_through_what_it_may_touch() {
         assert_eq!(reach(0.0, Vec3::new(100.0, 3.0, -7.0)), 1.0);
         assert_eq!(reach(0.1, Vec3::zeros()), 1.0);
     }
+}
+
+/// Both bodies at a speed.
+struct At(f64);
+
+impl Moving for At {
+    fn mass(&self, _: Node) -> f64 {
+        1.0
+    }
+
+    fn velocity(&self, _: Node) -> Vec3 {
+        Vec3::z() * self.0
+    }
+
+    fn greatest_speed(&self) -> f64 {
+        self.0
+    }
+}
+
+/// What is listed and apart rests for as many steps as twice the speed needs to close the gap; a step that is bounded by D over the speed is not left out.
+#[test]
+fn surfaces_rest_while_nothing_can_touch_though_they_are_listed() {
+    let (gap, stable) = (0.15, 1e-2);
+    let waits = |two: &mut Two, speed: f64| {
+        let touch = two.look();
+        let mut pace = Pace::new(&two.contact, |_| 1.0);
+        let step = pace.shortened((&two.contact, &touch), stable, 1.0, &At(speed));
+        (pace.waits(), step)
+    };
+    for speed in [0.0, 0.1, 0.4, 1.0] {
+        let mut two = sheets(Vec3::new(0.6, 0.2, 0.2 + gap), 0.0, TOUCHING);
+        let (steps, step) = waits(&mut two, speed);
+        assert!(steps > 0.0 && steps <= 16.0 && step == stable, "{speed}: {steps} {step}");
+        // Each side at twice its speed for all of these steps.
+        two.shift(Vec3::z() * -(4.0 * speed * stable * steps));
+        assert_eq!(two.look().area, 0.0, "{speed}: {steps}");
+        two.shift(Vec3::z() * (4.0 * speed * stable * steps - gap - 0.01));
+        assert_eq!(waits(&mut two, speed).0, 0.0);
+    }
+    let mut two = sheets(Vec3::new(0.6, 0.2, 0.2 + gap), 0.0, TOUCHING);
+    let (steps, step) = waits(&mut two, 8.0);
+    assert!(steps == 0.0 && step < stable, "{steps} {step}");
 }

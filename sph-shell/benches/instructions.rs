@@ -167,14 +167,15 @@ fn stack(distance: f64, edges: Option<bool>) -> Shell {
         edges,
         friction: 0.0,
     });
-    let shell = Shell::builder(parts(cloud, formulations()[0])).touching_itself(own);
-    shell.build().expect("a sound shell")
+    Shell::builder(parts(cloud, formulations()[0])).touching_itself(own).build().expect("a sound shell")
 }
 
 fn march(mut shell: Shell, steps: u64) {
     for a in 0..shell.len() {
         let x = shell.position(a);
-        shell.set_rate(a, Vec3::new(x.y, -x.x, x.x * x.y), Vec3::zeros());
+        // An upper sheet that touches comes down, so that it does so to the last step.
+        let down = if a >= SIDE * SIDE && x.z < 0.01 { -8.0 } else { 0.0 };
+        shell.set_rate(a, Vec3::new(x.y, -x.x, x.x * x.y + down), Vec3::zeros());
     }
     let mut clock = Clock::start(&mut shell, 1.0, 0.2, 0.0).expect("a stable step");
     for _ in 0..steps {
