@@ -59,19 +59,15 @@ fn a_column_that_tools_grip_buckles_in_halves() {
 #[test]
 fn a_grip_is_a_grip() {
     let found = levels(&[]);
-    near(&levels(&[("tools[0].moved", "[0, 0, -3e-6]"), ("tools[1].moved", "[0, 0, 3e-6]")]), &found, 3e-4);
-    let tools = |first: &str, z: [f64; 2]| {
-        let of = |name: &str, z: f64| {
-            format!(
-                "{{ name = '{name}', capsule = {{ ends = [[0.5, -1.0, {}], [0.5, 1.0, {}]], radius = 0.05 }}, moved = [0, 0, {}], preload = true }}",
-                0.055 * z,
-                0.055 * z,
-                -1e-6 * z
-            )
-        };
-        format!("[{}, {}]", of(first, z[0]), of("other", z[1]))
+    near(&levels(&[("tools[0].moved", "[0, 0, -6e-6]")]), &found, 3e-4);
+    let tool = |name: &str, z: f64, moved: &str| {
+        format!(
+            "{{ name = '{name}', capsule = {{ ends = [[0.5, -1, {z}], [0.5, 1, {z}]], radius = 0.05 }}{moved} }}"
+        )
     };
-    near(&levels(&[("tools", &tools("below", [-1.0, 1.0]))]), &found, 1e-10);
+    let (above, below) =
+        (tool("above", 0.055, ", moved = [0, 0, -2e-6], preload = true"), tool("below", -0.055, ""));
+    near(&levels(&[("tools", &format!("[{below}, {above}]"))]), &found, 1e-10);
     assert_eq!(levels(&[("tools[+]", FAR)]), found);
     let bears = frequencies(&[]);
     assert_eq!(frequencies(&[("tools[+]", FAR)]), bears);

@@ -45,7 +45,7 @@ mod velocity;
 mod walls;
 
 pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
-pub use analysis_kind::{ANALYSES, AnalysisKind};
+pub use analysis_kind::{ANALYSES, AnalysisKind, Contacts};
 pub use checked::Checked;
 pub use contact::ContactScene;
 pub use coupling::{Coupling, CouplingOrder};
