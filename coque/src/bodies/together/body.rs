@@ -88,7 +88,7 @@ impl<S: Parts> Body for Together<S> {
         if self.tools_of(body).next().is_none() {
             return own;
         }
-        let stood: Vec<_> = self.tools_of(body).map(|tool| (tool.contact.tool, tool.stood)).collect();
+        let stood: Vec<_> = self.tools_of(body).map(|tool| (tool.shape, tool.stood)).collect();
         let rest = &self.layout.rest[self.layout.particles[body].clone()];
         Box::new(move |part: Part, to: &mut dyn FieldWriter| match part {
             Part::Tools => tool_shapes::write(&stood, rest, &shown.units, to),

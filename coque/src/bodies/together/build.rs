@@ -64,7 +64,7 @@ pub(in crate::bodies) fn together_model(
     }
     let joints = BetweenBodies::find(scene, &layout, &sets)?;
     let contacts = contacts(scene, &layout, &sides)?;
-    let on_tools = on_tools(bodies, &sides)?;
+    let on_tools = on_tools(bodies, &layout, &sides)?;
     let own = made.iter_mut().map(|(_, part)| std::mem::take(&mut part.probes)).collect();
     let probes = probes(scene, &layout, own)?;
     let warned = |(name, part): &mut (&str, BuiltBody<Part>)| -> Vec<Warning> {
