@@ -109,7 +109,8 @@ fn tools_that_a_solid_cannot_touch_are_refused() {
     let rough = BALL.replace("moved", "friction = 0.3, moved");
     let error = refused(PRESSED, &[("bodies.block.solid.tools", &rough)]);
     assert!(error.contains("tools[0].friction") && error.contains("friction of solids"), "{error}");
-    let thin = "[{ name = \"pin\", sphere = { centre = [0.5, 0.5, 0.503], radius = 0.002 }, moved = [0, 0, -0.1] }]";
+    let thin =
+        "[{ name = \"pin\", sphere = { centre = [0.5, 0.5, 0.503], radius = 0.002 }, moved = [0, 0, -0.1] }]";
     let error = refused(PRESSED, &[("bodies.block.solid.tools", thin)]);
     assert!(error.contains("tools[0]") && error.contains("a hundredth of the least spacing"), "{error}");
     let linear = PRESSED.replace("static = { levels = 2 }", "linear = {}");
