@@ -48,7 +48,7 @@ const SCENES: [(&str, Replaced); 29] = [
     ("../coque/tests/touching_solids/thrown.toml", &[("analysis.explicit.transient.duration", "0.015")]),
     ("../coque/tests/touching_solids/blocks.toml", &[]),
     ("../coque/tests/solids_on_tools/thrown.toml", &[]),
-    ("../coque/tests/solids_on_tools/pressed.toml", &[]),
+    ("../coque/tests/solids_on_tools/pressed.toml", &[("analysis.static.tolerance", "1e-11")]),
     ("../coque/tests/metamorphic/difference.toml", &[]),
     ("../coque/tests/metamorphic/bent.toml", &[]),
     ("plate-clamped-solid.toml", &[]),
