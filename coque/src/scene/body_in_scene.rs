@@ -173,7 +173,7 @@ impl<'a> BodyInScene<'a> {
         match self.body {
             BodyScene::Shell(shell) => !(shell.tools.is_empty() && self.scene.contact.is_empty()),
             BodyScene::Solid(solid) => {
-                !self.in_fluid && !(solid.tools.is_empty() && self.scene.contact.is_empty())
+                !(self.in_fluid || solid.tools.is_empty() && self.scene.contact.is_empty())
             }
             BodyScene::Rigid(_) => !self.in_fluid && !self.scene.contact.is_empty(),
             BodyScene::Fluid(_) | BodyScene::Walls(_) => false,
