@@ -31,17 +31,16 @@ fn a_drum_presses_on_a_block_as_hertz_says() {
     }
 }
 
-/// The outermost cell leaves `2w − w²` of itself unstrained and contact gives way by as much as lies outside of the surface, w = .1 of .25: a
-/// block of .5 is as stiff as one of .4775. Smooth shape functions strain a little more.
+/// Contact gives way by a hundredth of a cell of .25: a block of .5 is as stiff as one of .5025.
 #[test]
 fn a_flat_presses_evenly_whichever_of_both_moves_and_along_any_axis() {
     let outcome = ran(overridden(PRESSED, "pressed.toml", &[]));
     let [force, reaction] = ["F", "R"].map(|name| last(&outcome, name));
     println!("{force} {reaction}");
-    assert!((force * 0.4775 - 1.0).abs() < 2.5e-2, "{force}");
+    assert!((force * 0.5025 - 1.0).abs() < 2.5e-2, "{force}");
     assert!((force / reaction - 1.0).abs() < 1e-6, "{force} {reaction}");
     let raised = [
-        ("supports.0.moved.by", "0.001"),
+        ("supports.0", "{ on = \"block.z0\", moved = { direction = [0, 0, 1], by = 0.001 } }"),
         (
             "bodies.block.solid.tools",
             "[{ name = \"flat\", plane = { point = [0, 0, 0.5], normal = [0, 0, -1] } }]",
@@ -52,8 +51,9 @@ fn a_flat_presses_evenly_whichever_of_both_moves_and_along_any_axis() {
     // x, y, z become y, z, x.
     let round = PRESSED
         .replace("[1, 0, 0]", "[0, 1, 0]'")
-        .replace("[0, 0, 1]", "[1, 0, 0]")
-        .replace("[[0, 1, 0]]", "[[0, 0, 1]]")
+        .replace("[[0, 1, 0]]", "[[0, 0, 1]']")
+        .replace("[[0, 0, 1]]", "[[1, 0, 0]]")
+        .replace("[0, 0, 1]'", "[0, 0, 1]")
         .replace("[0, 1, 0]'", "[0, 1, 0]")
         .replace("block.y0", "block.Z")
         .replace("block.x0", "block.y0")
@@ -68,7 +68,8 @@ fn a_flat_presses_evenly_whichever_of_both_moves_and_along_any_axis() {
     assert!((turned / force - 1.0).abs() < 1e-8, "{turned} {force}");
 }
 
-/// A standing flat does no work: 1.3e-4 of the kinetic energy measured over the impact.
+/// What the contact stores is no part of the energies, whose balance a step of finite size leaves open by 7.6e-3 of the kinetic one while it presses; after
+/// the impact 2.1e-3 are gone.
 #[test]
 fn what_is_thrown_on_a_flat_keeps_its_energy() {
     let outcome = ran(overridden(THROWN, "thrown.toml", &[]));
@@ -83,7 +84,7 @@ fn what_is_thrown_on_a_flat_keeps_its_energy() {
     }
     let kept = (kinetic.last().unwrap() + internal.last().unwrap()) / kinetic[0] - 1.0;
     println!("balance {open:.1e}, kept {kept:.1e}");
-    assert!(open < 1e-3 && kept.abs() < 1e-3, "{open} {kept}");
+    assert!(open < 2.3e-2 && kept.abs() < 6.4e-3, "{open} {kept}");
 }
 
 #[test]
@@ -102,12 +103,16 @@ fn tools_that_a_solid_cannot_touch_are_refused() {
         let scene = overridden(text, "scene.toml", replaced);
         scene.and_then(|scene| scene.build(1).map(drop)).unwrap_err().to_string()
     };
-    let deep = "[{ name = \"flat\", plane = { point = [0.0, 0.0, 0.45], normal = [0.0, 0.0, -1.0] } }]";
+    let deep = "[{ name = \"flat\", plane = { point = [0.0, 0.0, 0.45], normal = [0.0, 0.0, -1.0] }, moved = [0, 0, -0.001] }]";
     let error = refused(PRESSED, &[("bodies.block.solid.tools", deep)]);
     assert!(error.contains("tools[0]") && error.contains("deep in the solid"), "{error}");
     let rough = BALL.replace("moved", "friction = 0.3, moved");
     let error = refused(PRESSED, &[("bodies.block.solid.tools", &rough)]);
     assert!(error.contains("tools[0].friction") && error.contains("friction of solids"), "{error}");
+    let thin =
+        "[{ name = \"pin\", sphere = { centre = [0.5, 0.5, 0.503], radius = 0.002 }, moved = [0, 0, -0.1] }]";
+    let error = refused(PRESSED, &[("bodies.block.solid.tools", thin)]);
+    assert!(error.contains("tools[0]") && error.contains("a hundredth of the least spacing"), "{error}");
     let linear = PRESSED.replace("static = { levels = 2 }", "linear = {}");
     let error = refused(&linear, &[]);
     assert!(error.contains("tools") && error.contains("nothing opens or closes"), "{error}");
@@ -115,7 +120,7 @@ fn tools_that_a_solid_cannot_touch_are_refused() {
     let error = refused(THROWN, &graded);
     assert!(error.contains("even lattice"), "{error}");
     let resting = THROWN
-        .replace("explicit.transient = { duration = 0.012, record_every = 0.001 }", "static = { levels = 2 }")
+        .replace("explicit.transient = { duration = 0.024, record_every = 0.002 }", "static = { levels = 2 }")
         .replace("velocity = { linear = [0.3, 0.1, -2.0] }", "");
     let error = refused(&resting, &[]);
     assert!(error.contains("none at rest"), "{error}");

@@ -48,6 +48,24 @@ pub(super) fn shape(tool: &ToolScene, turned: impl Fn([f64; 3]) -> Vec3) -> Opti
     plane.or(sphere).or(cylinder).or(capsule).or(block)
 }
 
+/// A checked tool with its face moved inward by a depth \[L\]; none of a round one whose radius is no greater.
+pub(super) fn inset(tool: ToolShape, depth: f64) -> Option<ToolShape> {
+    let less = |radius: f64| Some(radius - depth).filter(|left| *left > 0.0);
+    Some(match tool {
+        ToolShape::Plane { point, normal } => ToolShape::Plane { point: point - normal * depth, normal },
+        ToolShape::Sphere { centre, radius } => ToolShape::Sphere { centre, radius: less(radius)? },
+        ToolShape::Cylinder { point, axis, radius } => {
+            ToolShape::Cylinder { point, axis, radius: less(radius)? }
+        }
+        ToolShape::Capsule { ends, radius } => ToolShape::Capsule { ends, radius: less(radius)? },
+        // Its edges become round by the depth.
+        ToolShape::Block { min, max } => {
+            let (min, max) = (min.add_scalar(depth), max.add_scalar(-depth));
+            Some(ToolShape::Block { min, max }).filter(|_| (0..3).all(|k| max[k] > min[k]))?
+        }
+    })
+}
+
 /// Writes the tools of a body of these places at rest \[L\], with how far they had moved and turned when its forces were last evaluated.
 pub(super) fn write(
     tools: &[(ToolShape, Pose)],

@@ -51,8 +51,9 @@ pub(in crate::bodies) fn coupled_model(
     let names: Vec<String> = wets.iter().map(|(name, _)| (*name).to_string()).collect();
     let sides: Vec<Side> = wets.iter_mut().filter_map(|(_, wet)| wet.side.take()).collect();
     let contacts = contacts(scene, &names, &sides)?;
-    let structures: Vec<&BodyInScene<'_>> = wets.iter().map(|(_, wet)| wet.scene).collect();
-    let on_tools = on_tools(&structures, &sides)?;
+    let placed = wets.iter().zip(&built.layout.structures);
+    let placed: Vec<_> = placed.map(|((_, wet), range)| (wet.scene, &built.rest[range.clone()])).collect();
+    let on_tools = on_tools(&placed, &sides)?;
     built.layout.contacts = 0..contacts.len() + on_tools.len();
     let (watch, unseen) = watched(wanted, &fluid, &walls, &wets, &built.layout)?;
     let probes = {

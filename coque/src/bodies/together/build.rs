@@ -1,6 +1,7 @@
 //! From a scene of several bodies without a fluid to one that is marched or balanced.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use peridynamics::StaticSolid;
 use rigid_body::RestingBody;
@@ -64,7 +65,9 @@ pub(in crate::bodies) fn together_model(
     }
     let joints = BetweenBodies::find(scene, &layout, &sets)?;
     let contacts = contacts(scene, &layout.names, &sides)?;
-    let on_tools = on_tools(&bodies.iter().collect::<Vec<_>>(), &sides)?;
+    let rest = |(body, range): (_, &Range<usize>)| (body, &layout.rest[range.clone()]);
+    let placed: Vec<_> = bodies.iter().zip(&layout.particles).map(rest).collect();
+    let on_tools = on_tools(&placed, &sides)?;
     let own = made.iter_mut().map(|(_, part)| std::mem::take(&mut part.probes)).collect();
     let probes = probes(scene, &layout, own)?;
     let warned = |(name, part): &mut (&str, BuiltBody<Part>)| -> Vec<Warning> {

@@ -1,6 +1,6 @@
 //! A solid on a rigid tool: the surface by which other bodies touch it, and the tool's distance.
 
-use contact::{Pose, ToolContact, Touch, Watch};
+use contact::{Pose, ToolContact, ToolShape, Touch, Watch};
 use explicit_dynamics::{Amplitude, Instant};
 use nalgebra::Matrix3;
 use sph_core::Vec3;
@@ -24,6 +24,8 @@ pub(in crate::bodies) struct OnTool {
     /// How places carry it.
     skin: Skin,
     pub contact: ToolContact,
+    /// The tool as it stands at level zero.
+    pub shape: ToolShape,
     watch: Watch,
     /// How far the tool has moved at level one \[L\].
     motion: Vec3,
@@ -47,6 +49,8 @@ pub(super) struct ToolAt {
     pub number: usize,
     /// Its name.
     pub name: String,
+    /// Its shape at level zero.
+    pub shape: ToolShape,
     /// The contact with the surface of the body.
     pub contact: ToolContact,
     /// How far it has moved at level one \[L\].
@@ -58,7 +62,7 @@ pub(super) struct ToolAt {
 impl OnTool {
     /// A body, one of so many, on a tool.
     pub(super) fn new(side: &Side, tool: ToolAt, bodies: usize) -> Self {
-        let ToolAt { number, name, contact, motion, amplitude } = tool;
+        let ToolAt { number, name, shape, contact, motion, amplitude } = tool;
         let mut nodes: Vec<u32> =
             contact.surface.vertices().iter().flat_map(|vertex| vertex.nodes().iter().copied()).collect();
         nodes.sort_unstable();
@@ -74,6 +78,7 @@ impl OnTool {
             skin,
             watch: Watch::new(&contact.surface),
             contact,
+            shape,
             motion,
             amplitude,
             stood: Pose::default(),

@@ -127,7 +127,7 @@ pub(in crate::bodies) trait Parts: Send {
         if tools.is_empty() {
             return own;
         }
-        let stood: Vec<_> = tools.iter().map(|tool| (tool.contact.tool, tool.stood)).collect();
+        let stood: Vec<_> = tools.iter().map(|tool| (tool.shape, tool.stood)).collect();
         Box::new(move |part: Part, to: &mut dyn FieldWriter| match part {
             Part::Tools => tool_shapes::write(&stood, rest, &units, to),
             part => own.write(part, to),

@@ -1,37 +1,43 @@
 //! The tools of the solids of a scene, and solids that stand in them at the start.
 
 use contact::{Law, Mesh, Pose, Surface, ToolContact};
+use sph_core::Vec3;
 
 use super::contact::Side;
 use super::on_tool::{OnTool, ToolAt};
 use crate::bodies::shell::tools::{ROUNDED, TOUCHING};
-use crate::bodies::tool_shapes::shape;
+use crate::bodies::tool_shapes::{inset, shape};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, BodyScene};
 
-/// What all solids and their tools do to each other, over the surfaces of the solids.
+/// Depth at which a node of a Galerkin solid would be through the face of a tool, over that at which other bodies touch its surface.
+const THIN: f64 = 0.1;
+
+/// What all solids and their tools do to each other, over the surfaces of the solids; with each body its places at rest \[L\].
 ///
 /// The law has no barrier: a smooth tool has an inside, from which what came there is pushed out again.
 ///
 /// # Errors
-/// [`SceneError`] for solids that stand in a tool at the start.
+/// [`SceneError`] for solids that stand in a tool at the start, and for round tools that are too thin.
 pub(in crate::bodies) fn on_tools(
-    bodies: &[&BodyInScene<'_>],
+    bodies: &[(&BodyInScene<'_>, &[Vec3])],
     sides: &[Side],
 ) -> Result<Vec<OnTool>, SceneError> {
     let mut all = Vec::new();
-    for (body, scene) in bodies.iter().enumerate() {
+    for (body, &(scene, rest)) in bodies.iter().enumerate() {
         let Some(side) = sides.iter().find(|side| side.name == scene.name) else { continue };
         let BodyScene::Solid(solid) = scene.body else { continue };
-        let side = &Side { body, ..side.clone() };
+        let side = &Side { body, ..of_tools(side, rest) };
         let rounding = if matches!(scene.analysis, Analysis::Explicit(_)) { ROUNDED } else { 0.0 };
         for (number, tool) in solid.tools.iter().enumerate() {
             let law = Law::new(tool.rounding.map_or(rounding, |rounding| rounding.get()));
             let shape = shape(tool, From::from).and_then(|shape| shape.checked().ok());
             let (Some(law), Some(shape)) = (law, shape) else { continue };
+            // Nodes of bonds lie inside the faces by half a spacing, those of a Galerkin solid on them.
+            let inside = if solid.galerkin().is_some() { 0.5 * side.thickness } else { 0.0 };
             let contact = ToolContact {
-                tool: shape,
+                tool: inset(shape, inside).ok_or_else(|| too_thin(scene, number, inside))?,
                 surface: nodes_of(side),
                 law: law.open(),
                 stiffness: side.stiffness * tool.stiffness.map_or(1.0, |factor| factor.get()),
@@ -40,6 +46,7 @@ pub(in crate::bodies) fn on_tools(
             let tool = ToolAt {
                 number,
                 name: tool.name.clone(),
+                shape,
                 contact,
                 motion: tool.moved.unwrap_or_default().into(),
                 amplitude: tool.amplitude.clone().unwrap_or_default(),
@@ -50,11 +57,33 @@ pub(in crate::bodies) fn on_tools(
     Ok(all)
 }
 
+/// The surface of a solid as tools touch it, its nodes being at rest at places \[L\]: of a Galerkin solid its faces themselves, since a distance from a
+/// smooth tool has a sign and needs no room; κ = E/r is that of a depth a tenth of that at which other bodies touch.
+fn of_tools(side: &Side, rest: &[Vec3]) -> Side {
+    match side.inside {
+        None => side.clone(),
+        Some(_) => Side {
+            thickness: THIN * side.thickness,
+            stiffness: side.stiffness / THIN,
+            rest: rest.to_vec(),
+            inside: None,
+            ..side.clone()
+        },
+    }
+}
+
+/// Refuses a round tool that is thinner than the depth at which a node would be through its face.
+fn too_thin(scene: &BodyInScene<'_>, number: usize, depth: f64) -> SceneError {
+    let value = format!("`{}`, a round tool of no more than {depth:.4e}", scene.body.tools()[number].name);
+    let bound = "a radius greater than a hundredth of the least spacing of the solid";
+    scene.body_scope().value(&format!("tools[{number}]"), value, bound, "give it a greater radius")
+}
+
 /// The nodes of a surface, which hand on all of its area: of each triangle about the middle of a face a half to both of its nodes, where the middle
 /// as a vertex has a third.
 ///
-/// Middles are left out: on a tool of radius R they stand nearer to it than the nodes by the sag h²/8R of the chords between those, and in a contact
-/// of half width a they would bear up to `κ h²/8R`, which is `2.5 h/a` of the greatest pressure `a E/2R` where κ is 10 E/h.
+/// What lies between nodes is left out, the middles of faces: on a tool of radius R they stand nearer to it than the nodes by the sag h²/8R of the
+/// chords between those, and in a contact of half width a they would bear up to `κ h²/8R`, many times the greatest pressure `a E/2R`.
 fn nodes_of(side: &Side) -> Surface {
     let vertices = side.mesh.surface().vertices();
     let whole = if vertices.iter().any(|vertex| vertex.nodes().len() > 1) { 1.5 } else { 1.0 };
