@@ -186,7 +186,7 @@ if TYPE_CHECKING:
     SolidMaterial_1 = TypedDict("SolidMaterial_1", {"elastic": "Elastic"})
     SolidMaterial_2 = TypedDict("SolidMaterial_2", {"orthotropic": "OrthotropicSolid"})
     SolidMaterial: TypeAlias = Union["SolidMaterial_1", "SolidMaterial_2"]
-    SolidScene = TypedDict("SolidScene", {"contact": NotRequired["Contact"], "cracks": NotRequired[Sequence["Crack"]], "formulation": "SolidFormulation", "fracture": NotRequired["Fracture"], "geometry": "SolidGeometry", "imperfection": NotRequired["Imperfection"], "material": "SolidMaterial", "unbreakable": NotRequired[Sequence[str]], "velocity": NotRequired["Velocity"]})
+    SolidScene = TypedDict("SolidScene", {"contact": NotRequired["Contact"], "cracks": NotRequired[Sequence["Crack"]], "formulation": "SolidFormulation", "fracture": NotRequired["Fracture"], "geometry": "SolidGeometry", "imperfection": NotRequired["Imperfection"], "material": "SolidMaterial", "tools": NotRequired[Sequence["ToolScene"]], "unbreakable": NotRequired[Sequence[str]], "velocity": NotRequired["Velocity"]})
     Sphere = TypedDict("Sphere", {"azimuth": Sequence[float], "disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[float]], "particles": NotRequired[Sequence[int]], "polar": Sequence[float], "radius": float, "scattered": NotRequired["Scattered"]})
     Spin = TypedDict("Spin", {"axis": Sequence[float], "point": NotRequired[Sequence[float]], "rate": float})
     Spring = TypedDict("Spring", {"axis": NotRequired[Sequence[float]], "direction": NotRequired[Sequence[float]], "stiffness": float, "to": NotRequired[str]})
@@ -202,10 +202,11 @@ if TYPE_CHECKING:
     ThicknessTable = TypedDict("ThicknessTable", {"column": str, "file": str})
     Through = TypedDict("Through", {"max": NotRequired[Sequence[float]], "min": NotRequired[Sequence[float]], "normal": Sequence[float], "point": Sequence[float]})
     Time: TypeAlias = Union[Literal['s'], Literal['ms'], Literal['us'], Literal['-']]
+    ToolBlock = TypedDict("ToolBlock", {"max": Sequence[float], "min": Sequence[float]})
     ToolCapsule = TypedDict("ToolCapsule", {"ends": Sequence[Sequence[float]], "radius": float})
     ToolCylinder = TypedDict("ToolCylinder", {"axis": Sequence[float], "point": Sequence[float], "radius": float})
     ToolPlane = TypedDict("ToolPlane", {"normal": Sequence[float], "point": Sequence[float]})
-    ToolScene = TypedDict("ToolScene", {"amplitude": NotRequired["Amplitude"], "capsule": NotRequired["ToolCapsule"], "cylinder": NotRequired["ToolCylinder"], "friction": NotRequired[float], "moved": NotRequired[Sequence[float]], "name": str, "plane": NotRequired["ToolPlane"], "preload": NotRequired[bool], "rounding": NotRequired[float], "sphere": NotRequired["ToolSphere"], "stiffness": NotRequired[float], "turn": NotRequired[float]})
+    ToolScene = TypedDict("ToolScene", {"amplitude": NotRequired["Amplitude"], "block": NotRequired["ToolBlock"], "capsule": NotRequired["ToolCapsule"], "cylinder": NotRequired["ToolCylinder"], "friction": NotRequired[float], "moved": NotRequired[Sequence[float]], "name": str, "plane": NotRequired["ToolPlane"], "preload": NotRequired[bool], "rounding": NotRequired[float], "sphere": NotRequired["ToolSphere"], "stiffness": NotRequired[float], "turn": NotRequired[float]})
     ToolSphere = TypedDict("ToolSphere", {"centre": Sequence[float], "radius": float})
     Traction = TypedDict("Traction", {"depth": NotRequired[float], "value": Sequence[float]})
     Transient = TypedDict("Transient", {"damping": NotRequired[float], "duration": float, "record_every": float})
