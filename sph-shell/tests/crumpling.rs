@@ -14,7 +14,7 @@ use common::{DENSITY, POISSON, YOUNG, parts};
 use contact::{Law, ToolShape, stiffness};
 use explicit_dynamics::{Amplitude, March, Transient};
 use sph_core::{Cell, Cloud, Vec3};
-use sph_shell::{AppliedLoad, Formulation, Load, OwnContact, Parts, Pressure, Reach, Shell, Tool};
+use sph_shell::{AppliedLoad, Formulation, Load, LoadCase, OwnContact, Parts, Pressure, Reach, Shell, Tool};
 
 /// Particles round and along, and steps.
 fn size() -> [usize; 3] {
@@ -54,6 +54,7 @@ fn a_tube_that_is_crushed_never_comes_through_itself() {
         moved: from * -part,
         turn: 0.0,
         amplitude: Amplitude::Table(vec![[begin * duration, 0.0], [(begin + 0.5) * duration, 1.0]]),
+        case: LoadCase::Loading,
         law,
         stiffness: stiffness(YOUNG, thickness, spacing),
         friction: 0.0,

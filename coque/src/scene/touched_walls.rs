@@ -58,7 +58,7 @@ fn faces(name: &str, walls: &WallsScene, own: &ContactScene) -> Vec<ToolScene> {
                 let axis = side / 2;
                 let (mut point, mut normal) = ([0.0; 3], [0.0; 3]);
                 (point[axis], normal[axis]) =
-                    if side % 2 == 0 { (basin.min[axis], 1.0) } else { (basin.max[axis], -1.0) };
+                    if side.is_multiple_of(2) { (basin.min[axis], 1.0) } else { (basin.max[axis], -1.0) };
                 let plane = Some(ToolPlane { point, normal });
                 ToolScene { plane, ..tool(format!("{name}.{}", OF_WALLS[side + 1])) }
             };

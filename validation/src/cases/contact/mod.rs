@@ -3,6 +3,7 @@
 mod cantilever_on_flat;
 mod capstan;
 mod collapsed_ring;
+mod flap_on_sill;
 mod fold_pressed;
 mod hemisphere_on_flat;
 mod incline;
@@ -15,7 +16,7 @@ mod wrapped_strip;
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 11] {
+pub fn all() -> [Case; 12] {
     [
         pressed_ring::case(),
         fold_pressed::case(),
@@ -28,5 +29,6 @@ pub fn all() -> [Case; 11] {
         capstan::case(),
         incline::case(),
         touched_modes::case(),
+        flap_on_sill::case(),
     ]
 }
