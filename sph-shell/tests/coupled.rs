@@ -166,11 +166,11 @@ fn a_wet_strip_goes_on_to_the_same_bits() {
     let shell = again.structures_mut().next().unwrap();
     assert!(shell.take_up([&state, &rates]));
     assert!(again.set_state(&own));
-    // All that this fluid keeps are the boundary and its velocities, behind fourteen numbers of counts and clocks.
+    // All that this fluid keeps are the boundary and its velocities, behind twenty numbers of counts and clocks.
     let mut place = BoundaryState::default();
     again.structures().next().unwrap().boundary(&mut place);
     let points = again.fluid().velocities.len();
-    let velocities: Vec<[f64; 3]> = own[14..14 + 3 * points].chunks(3).map(|v| [v[0], v[1], v[2]]).collect();
+    let velocities: Vec<[f64; 3]> = own[20..20 + 3 * points].chunks(3).map(|v| [v[0], v[1], v[2]]).collect();
     again.fluid_mut().set_boundary(0, &place, &velocities);
     March::resume(run, at).finish(&mut again).unwrap();
     assert!(bits(&whole) == bits(&again));

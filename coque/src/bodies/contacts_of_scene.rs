@@ -10,6 +10,8 @@ use crate::scene::{BodyScene, Scene};
 pub(crate) struct ContactsOfScene {
     /// Each body with the names of its tools.
     bodies: Vec<(String, Vec<String>)>,
+    /// What a body that is alone is.
+    alone: &'static str,
     unseen: Option<Unseen>,
 }
 
@@ -26,7 +28,8 @@ impl ContactsOfScene {
             parts => parts,
         };
         let bodies = names.into_iter().map(|name| (name.to_string(), tools(name))).collect();
-        Self { bodies, unseen: Unseen::of(scene, body) }
+        let alone = scene.bodies.values().next().map_or("shell", BodyScene::word);
+        Self { bodies, alone, unseen: Unseen::of(scene, body) }
     }
 
     /// The same without a look at what nothing keeps apart.
@@ -42,8 +45,11 @@ impl ContactsOfScene {
     /// What a contact is called.
     pub fn name(&self, contact: &ContactNow) -> String {
         let body = |number: usize| self.bodies.get(number).map_or("", |(name, _)| name.as_str());
-        let own =
-            if self.bodies.len() > 1 { format!("`{}`", body(contact.body)) } else { "the shell".into() };
+        let own = if self.bodies.len() > 1 {
+            format!("`{}`", body(contact.body))
+        } else {
+            format!("the {}", self.alone)
+        };
         match contact.with {
             With::Itself => format!("{own} with itself"),
             With::Body(other) => format!("{own} with `{}`", body(other)),

@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 30] = [
+const SCENES: [(&str, Replaced); 31] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -50,6 +50,7 @@ const SCENES: [(&str, Replaced); 30] = [
     ("../coque/tests/touching_solids/thrown.toml", &[("analysis.explicit.transient.duration", "0.015")]),
     ("../coque/tests/touching_solids/blocks.toml", &[]),
     ("../coque/tests/solids_on_tools/thrown.toml", &[]),
+    ("../coque/tests/solids_on_tools/pressed.toml", &[("analysis.static.tolerance", "1e-13")]),
     ("../coque/tests/metamorphic/difference.toml", &[]),
     ("../coque/tests/metamorphic/bent.toml", &[]),
     ("plate-clamped-solid.toml", &[]),
