@@ -111,7 +111,7 @@ fn a_flap_bears_on_its_sill_as_a_propped_beam() {
     let thrust = (above + 0.5 * below) * long;
     let found = (mean("sill") + back * gap) / mean("water_mean");
     let error = found / (back * free / thrust) - 1.0;
-    // Measured −.9 %: the pressure of a swinging column is not that of one at rest.
+    // Measured −1.0 %: the pressure of a swinging column is not that of one at rest.
     assert!(error.abs() < 0.03, "{error}");
 }
 
