@@ -54,6 +54,15 @@ fn walls_are_tools_to_the_bit() {
     let tool = "[{ name = 'sill', block = { min = [0.15, 0.0, -9.0], max = [0.2, 0.05, 9.0] } }]";
     let said = [("contact", "[{ between = [\"first\", \"second\"] }]"), ("bodies.second.shell.tools", tool)];
     assert_eq!(pair(&said).curve.rows, pair(&[]).curve.rows);
+    // Walls that move to and fro are a tool that does.
+    let course = "amplitude = { sine = { period = 0.04 } }";
+    let walls = format!("{{ translation = {{ by = [-0.004, 0, 0], {course} }} }}");
+    let tool = tool.replace(" }]", &format!(", moved = [-0.004, 0, 0], {course} }}]"));
+    let motion = ("bodies.sill.walls.motion", &walls[..]);
+    let moved = pair(&[motion]);
+    assert!(moved.curve.rows != pair(&[]).curve.rows);
+    let said = [said[0], ("bodies.second.shell.tools", &tool[..]), motion];
+    assert_eq!(pair(&said).curve.rows, moved.curve.rows);
 }
 
 #[test]
@@ -86,6 +95,94 @@ fn a_shell_with_itself_among_others() {
         own.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-2 * (own[0] - own[15])),
         "{own:?} {other:?}"
     );
+}
+
+/// In millimetres every length is a thousand times as great; columns follow, but for energies, which a plane fluid has by depth and a shell by its width.
+#[test]
+fn structures_that_touch_do_so_in_other_units() {
+    let mut scene: toml::Table = PAIR.parse().unwrap();
+    scale(&mut scene, 1e3);
+    let scaled = toml::to_string(&scene).unwrap();
+    let (one, other) = (pair(&[]), ran(overridden(&scaled, "pair.toml", &[])));
+    for (name, factor) in [("F", 1.0), ("G", 1.0), ("dx", 1e3), ("depth", 1.0), ("gap", 1e3)] {
+        let [one, other] = [&one, &other].map(|outcome| column(outcome, name));
+        let most = one.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let off = one.iter().zip(&other).fold(0.0_f64, |most, (x, y)| most.max((x - y / factor).abs()));
+        // Sums of water in another rounding, kept apart by pressures: measured 3e-13.
+        assert!(off < 1e-12 * most, "{name}: {off} of {most}");
+    }
+}
+
+/// Every length, and what is made of it, in a unit of which there are so many in one.
+fn scale(table: &mut toml::Table, factor: f64) {
+    for (key, value) in table.iter_mut() {
+        let power = match key.as_str() {
+            "origin" | "lengths" | "spacing" | "min" | "max" | "thickness" | "sound_speed"
+            | "acceleration" => 1,
+            "young" => -2,
+            "density" => -4,
+            _ => 0,
+        };
+        each(value, power, factor);
+        if key == "length" {
+            *value = "mm".into();
+        }
+    }
+}
+
+fn each(value: &mut toml::Value, power: i32, factor: f64) {
+    match value {
+        toml::Value::Table(table) => scale(table, factor),
+        toml::Value::Array(list) => list.iter_mut().for_each(|value| each(value, power, factor)),
+        toml::Value::Float(number) => *number *= f64::powi(factor, power),
+        _ => {}
+    }
+}
+
+/// A block of bonds falls beside the water of a tank in space.
+const STONE: &str = r#"title = "A stone on the floor"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 0.02, record_every = 0.0005 }
+loads = [{ on = "all", gravity = { acceleration = [0.0, 0.0, -10.0] } }]
+contact = [{ between = ["stone", "tank"] }]
+curve = [
+    { name = "v", of = "velocity", on = "stone.all", direction = [0, 0, 1], take = "mean" },
+    { name = "z", of = "position", on = "stone.all", direction = [0, 0, 1], take = "min" },
+    { name = "F", of = "contact-force", on = "stone.all", direction = [0, 0, 1] },
+]
+[bodies.water.fluid]
+geometry.block = { lengths = [0.1, 0.1, 0.06], spacing = 0.02 }
+material.liquid = { density = 1000.0, sound_speed = 20.0 }
+[bodies.tank.walls]
+geometry.basin = { min = [0.0, 0.0, 0.0], max = [0.3, 0.1, 0.3], open = ["z1"] }
+[bodies.stone.solid]
+geometry.block = { lengths = [0.06, 0.06, 0.06], origin = [0.2, 0.02, 0.005], spacing = 0.02 }
+material.elastic = { young = 2e6, poisson = 0.25, density = 2000.0 }
+formulation.bond-based = { horizon = 3.015 }
+velocity = { linear = [0.0, 0.0, -1.0] }
+"#;
+
+/// The tank that holds the water holds the stone; without the contact it goes through the floor, which the run says.
+#[test]
+fn a_stone_lands_on_the_floor_of_the_tank() {
+    let stone = |replaced: &[(&str, &str)]| ran(overridden(STONE, "stone.toml", replaced));
+    let landed = stone(&[]);
+    let [z, v, f] = ["z", "v", "F"].map(|name| column(&landed, name));
+    let lowest = z.iter().fold(1.0_f64, |least, z| least.min(*z));
+    let most = f.iter().fold(0.0_f64, |most, f| most.max(*f));
+    // The lowest nodes begin half a spacing above the lower face, .015.
+    assert!((0.006..0.01).contains(&lowest) && most > 1.0, "{lowest} {most}");
+    assert!(v[0] < -0.9 && v.last().is_some_and(|v| *v > 0.3) && f.last() == Some(&0.0), "{v:?}");
+    let floor = "[{ name = 'floor', plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]";
+    let tool = stone(&[("contact", "[]"), ("bodies.stone.solid.tools", floor)]);
+    assert_eq!(tool.curve.rows, landed.curve.rows);
+    let curve = "[{ name = 'z', of = 'position', on = 'stone.all', direction = [0, 0, 1], take = 'min' }]";
+    let through = stone(&[("contact", "[]"), ("curve", curve)]);
+    assert!(column(&through, "z").last().is_some_and(|z| *z < 0.0));
+    let words: Vec<&str> =
+        through.summary.record.warnings.iter().map(|warning| warning.kind.word()).collect();
+    assert!(words.contains(&"no-contact"), "{words:?}");
+    stopped_again_and_again("stone", STONE, &[], 3);
 }
 
 /// The water presses the flap on a round sill below its foot: force on the sill against a beam that is propped there, both over the
@@ -139,7 +236,14 @@ fn what_cannot_touch_is_refused() {
             )],
             "move without turning",
         ),
-        (vec![("bodies.second.shell.placed.origin", "[0.155, 0.0, -0.04]")], "deep in the shell"),
+        (vec![("bodies.second.shell.placed.origin", "[0.155, 0.0, -0.04]")], "`contact[1]` is `sill`"),
+        (
+            vec![(
+                "bodies.second.shell.tools",
+                "[{ name = 'sill', sphere = { centre = [0.3, 0.3, 0], radius = 0.01 } }]",
+            )],
+            "another name than the tool `sill`",
+        ),
         (vec![("bodies.second.shell.placed.origin", "[0.125, 0.0, -0.04]")], "apart"),
     ] {
         let error = refused(&replaced);

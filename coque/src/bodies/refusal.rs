@@ -76,3 +76,17 @@ pub(super) fn model_error(source: &Source, path: &str, message: &str) -> SceneEr
 pub(super) fn body_error(scene: &BodyInScene<'_>, path: &str, message: &str) -> SceneError {
     model_error(scene.source, &scene.body_scope().path(path), message)
 }
+
+/// The refusal of a body that stands in one of its tools, or in walls that are one, before anything moves.
+pub(super) fn in_tool(scene: &BodyInScene<'_>, number: usize, value: String, bound: &str) -> SceneError {
+    match scene.body.tools().get(number).and_then(|tool| tool.of_contact) {
+        Some(contact) => {
+            let repair = "move the body out of the walls by that depth, or leave the contact out";
+            scene.scope().value(&format!("contact[{contact}]"), value, bound, repair)
+        }
+        None => {
+            let repair = "move the tool away by that depth, and let `moved` bring it";
+            scene.body_scope().value(&format!("tools[{number}]"), value, bound, repair)
+        }
+    }
+}

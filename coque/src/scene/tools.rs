@@ -41,6 +41,9 @@ pub struct ToolScene {
     /// Depth over half of the thickness up to which the force sets in softly \[–\]; left out, .05 in time, where bodies bounce, and 0
     /// without time.
     pub rounding: Option<Rounding>,
+    /// Number of the contact whose walls it stands for; none of a tool that the scene names.
+    #[serde(skip)]
+    pub(crate) of_contact: Option<usize>,
 }
 
 /// A half space; bodies are on the side of its normal.

@@ -8,32 +8,40 @@ use super::walls::{WallGeometry, WallsScene};
 use crate::scene::bounded::numbers;
 
 impl Scene {
-    /// Gives each body the faces of the walls that it touches, as tools by the name of the walls; those it has already stay.
+    /// Gives each body the faces of the walls that it touches, as tools by the name of the walls, in place of those it was given before.
     pub(super) fn touch_walls(&mut self) {
         let mut found: Vec<(String, ToolScene)> = Vec::new();
-        for own in &self.contact {
+        for (number, own) in self.contact.iter().enumerate() {
             let Some([a, b]) = own.pair() else { continue };
             for (body, walls) in [(a, b), (b, a)] {
                 if let Some(BodyScene::Walls(scene)) = self.bodies.get(walls) {
-                    found.extend(faces(walls, scene, own).into_iter().map(|tool| (body.clone(), tool)));
+                    let tools = faces((walls, scene), (number, own)).into_iter();
+                    found.extend(tools.map(|tool| (body.clone(), tool)));
                 }
             }
         }
+        for tools in self.bodies.values_mut().filter_map(tools_of) {
+            tools.retain(|tool| tool.of_contact.is_none());
+        }
         for (name, tool) in found {
-            let tools = match self.bodies.get_mut(&name) {
-                Some(BodyScene::Shell(shell)) => &mut shell.tools,
-                Some(BodyScene::Solid(solid)) => &mut solid.tools,
-                _ => continue,
-            };
-            if tools.iter().all(|known| known.name != tool.name) {
+            if let Some(tools) = self.bodies.get_mut(&name).and_then(tools_of) {
                 tools.push(tool);
             }
         }
     }
 }
 
+/// The tools of a body that may have some.
+fn tools_of(body: &mut BodyScene) -> Option<&mut Vec<ToolScene>> {
+    match body {
+        BodyScene::Shell(shell) => Some(&mut shell.tools),
+        BodyScene::Solid(solid) => Some(&mut solid.tools),
+        _ => None,
+    }
+}
+
 /// The faces of walls: of a basin half spaces behind its sides, of a block the box itself, in a plane fluid without ends across.
-fn faces(name: &str, walls: &WallsScene, own: &ContactScene) -> Vec<ToolScene> {
+fn faces((name, walls): (&str, &WallsScene), (number, own): (usize, &ContactScene)) -> Vec<ToolScene> {
     let translation = walls.motion.as_ref().and_then(|motion| motion.translation.as_ref());
     let tool = |name: String| ToolScene {
         name,
@@ -49,6 +57,7 @@ fn faces(name: &str, walls: &WallsScene, own: &ContactScene) -> Vec<ToolScene> {
         friction: own.friction,
         stiffness: own.stiffness,
         rounding: own.rounding,
+        of_contact: Some(number),
     };
     match &walls.geometry {
         WallGeometry::Basin(basin) => {

@@ -1,6 +1,6 @@
 //! Far away: bodies ten thousand lengths from zero give the same curves as near it. Meshes: meshes.rs.
 
-use super::common::fluids::{DAM, GATE, SHELL_GATE};
+use super::common::fluids::{DAM, GATE, PAIR, SHELL_GATE};
 use super::common::galerkin::BAR as GALERKIN;
 use super::common::solids::BAR as BONDS;
 use super::{difference, judge, ran};
@@ -72,6 +72,7 @@ fn bodies_far_away_give_the_same_curve() {
         ("dam", DAM.to_string(), None, (0.2, 1e-8)),
         ("gate of bonds", GATE.to_string(), None, (0.2, 1e-8)),
         ("gate of a shell", SHELL_GATE.to_string(), None, (0.2, 1e-8)),
+        ("gates that touch", PAIR.to_string(), None, (0.2, 1e-8)),
     ] {
         hold(&mut failures, name, &text, analysis, scale);
     }

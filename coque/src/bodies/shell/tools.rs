@@ -6,6 +6,7 @@ use sph_shell::{LoadCase, Shell, Tool, contact_stiffness};
 
 use super::build::Builder;
 use super::sections::Sections;
+use crate::bodies::refusal::in_tool;
 use crate::bodies::tool_shapes::shape;
 use crate::scene::error::SceneError;
 use crate::scene::{Analysis, ToolScene};
@@ -53,8 +54,7 @@ impl Builder<'_> {
                 let bound = format!(
                     "off the face of the shell, half of its thickness ({half:.4e}) from its particles, or on it"
                 );
-                let repair = "move the tool away by that depth, and let `moved` bring it";
-                return Err(self.scene.body_scope().value(&format!("tools[{i}]"), value, &bound, repair));
+                return Err(in_tool(self.scene, i, value, &bound));
             }
         }
         Ok(())

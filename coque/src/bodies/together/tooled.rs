@@ -5,6 +5,7 @@ use sph_core::Vec3;
 
 use super::contact::Side;
 use super::on_tool::{OnTool, ToolAt};
+use crate::bodies::refusal::in_tool;
 use crate::bodies::shell::tools::{ROUNDED, TOUCHING};
 use crate::bodies::tool_shapes::{inset, shape};
 use crate::scene::body_in_scene::BodyInScene;
@@ -108,7 +109,5 @@ fn refuse_depth(
     let deep = 0.5 * depth * side.thickness;
     let place = format!("[{:.4}, {:.4}, {:.4}]", place.x, place.y, place.z);
     let value = format!("`{}`, {deep:.4e} deep in the solid at {place}", tool.name);
-    let repair = "move the tool away by that depth, and let `moved` bring it";
-    let bound = "off the faces of the solid, or on them";
-    Err(scene.body_scope().value(&format!("tools[{number}]"), value, bound, repair))
+    Err(in_tool(scene, number, value, "off the faces of the solid, or on them"))
 }

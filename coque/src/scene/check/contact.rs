@@ -6,6 +6,7 @@ use crate::scene::contact::ContactScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::solid::SolidScene;
+use crate::scene::tools::ToolScene;
 use crate::scene::walls::WallGeometry;
 
 /// Refuses contacts of bodies without a surface, pairs that are named twice, and analyses that know none.
@@ -138,6 +139,12 @@ fn check_walls(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
             let bound = "walls that stand, or move without turning";
             let repair = "leave the rotation out, or the contact";
             return refuse(scene, &path, &format!("\"{name}\", which turns"), bound, repair);
+        }
+        let tools = scene.bodies.get(other).map_or(&[][..], BodyScene::tools);
+        let same = |tool: &ToolScene| tool.of_contact.is_none() && tool.name.split('.').next() == Some(name);
+        if let Some(tool) = tools.iter().find(|tool| same(tool)) {
+            let bound = format!("walls of another name than the tool `{}` of `{other}`", tool.name);
+            return refuse(scene, &path, &format!("\"{name}\""), &bound, "rename the tool");
         }
         let turned =
             |body: &BodyScene| matches!(body, BodyScene::Shell(shell) if shell.orientation.is_some());
