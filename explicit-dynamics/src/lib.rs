@@ -195,7 +195,7 @@ pub use push::{Exert, Push};
 pub use quasi_static::QuasiStatic;
 pub use record::{Balance, Record};
 pub use rest::{LevelReached, Missing, Sizes};
-pub use several::{Interaction, Joinable, Places, Several};
+pub use several::{Interaction, Interactions, Joinable, Places, Several};
 pub use stable_step::{LANCZOS_STEPS, Spectrum, StableStep, lanczos_step, largest_eigenvalue};
 pub use step::{Decay, Instant, Step, Work};
 pub use transient::Transient;

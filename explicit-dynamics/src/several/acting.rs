@@ -6,7 +6,7 @@ use super::interaction::{Interaction, Joinable, Places};
 use crate::step::{Instant, Work};
 
 /// An interaction with what it sees and exerts.
-pub(crate) struct Acting {
+pub(super) struct Acting {
     interaction: Box<dyn Interaction>,
     /// Particles of each system.
     particles: Vec<Vec<u32>>,

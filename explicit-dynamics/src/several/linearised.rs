@@ -28,9 +28,7 @@ impl<S: Joinable + ?Sized> LinearisedDynamics for Several<S> {
         for (system, range) in self.systems.iter_mut().zip(&ranges) {
             system.apply(&v[range.clone()], &mut out[range.clone()]);
         }
-        for acting in &self.acting {
-            acting.add_tangent(&self.systems, &ranges, v, out);
-        }
+        self.interactions.add_tangent(&self.systems, &ranges, v, out);
     }
 }
 

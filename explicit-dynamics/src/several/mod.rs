@@ -13,9 +13,10 @@
 
 mod acting;
 mod interaction;
+mod interactions;
 mod linearised;
 mod system;
 
-pub(crate) use acting::Acting;
 pub use interaction::{Interaction, Joinable, Places};
+pub use interactions::Interactions;
 pub use system::Several;

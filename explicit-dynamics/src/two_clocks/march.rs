@@ -5,7 +5,6 @@ use std::ops::Range;
 use crate::dynamics::{Bounds, Dynamics};
 use crate::error::{MarchError, OutOfBounds, OutOfRange};
 use crate::interface::{BoundaryDriven, Wetted};
-use crate::several::Acting;
 use crate::stable_step::StableStep;
 use crate::step::{Instant, Step, Work};
 use crate::two_clocks::{Coupled, Course, Order, OwnClock, TwoClocks};
@@ -17,7 +16,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
     fn evaluate(&mut self, at: Instant) -> f64 {
         let stored = self.fluid.evaluate(at);
         self.hand_loads();
-        let stored = stored + self.act(at);
+        let stored = stored + self.interactions.act(&mut self.bodies, at);
         self.each().fold(stored, |sum, (structure, body)| {
             structure.energy.internal = body.evaluate(at);
             sum + structure.energy.internal
@@ -27,14 +26,14 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
     fn kick(&mut self, step: &Step) -> Work {
         let shown = step.kick == 0.0;
         let mut work = self.kick_fluid(step);
-        self.acting.iter_mut().for_each(|acting| acting.before(&self.bodies));
+        self.interactions.before(&self.bodies);
         for group in self.groups() {
             let own = self.course(&group, step).step(self.structures[group.start].clock.last);
             for k in group {
                 work = add(work, self.structures[k].kick(&mut *self.bodies[k], &own, shown));
             }
             let span = if shown { 0.0 } else { own.kick };
-            self.acting.iter_mut().for_each(|acting| acting.after(&self.bodies, span, &mut work));
+            self.interactions.after(&self.bodies, span, &mut work);
         }
         add(work, std::mem::take(&mut self.between))
     }
@@ -91,7 +90,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
         self.fluid.within_bounds(bounds)?;
         if bounds == Bounds::Configuration {
-            self.acting.iter().try_for_each(|acting| acting.interaction().within_bounds())?;
+            self.interactions.within_bounds()?;
         }
         let mut before = self.fluid.particles();
         for (number, body) in self.bodies.iter().enumerate() {
@@ -123,11 +122,11 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     /// Structures that take the same steps: each its own, or all where some do anything to each other.
     fn groups(&self) -> impl Iterator<Item = Range<usize>> + use<F, S> {
         let count = self.structures.len();
-        let size = if self.acting.is_empty() { 1 } else { count.max(1) };
+        let size = if self.interactions.is_empty() { 1 } else { count.max(1) };
         (0..count).step_by(size).map(move |first| first..first + size)
     }
 
-    /// Renews stable steps that have lapsed, those of a group together: `λ_max(A + B) ≤ λ_max(A) + λ_max(B)`.
+    /// Renews stable steps that have lapsed, those of a group together.
     fn estimate(&mut self, safety: f64) -> Result<(), MarchError> {
         for group in self.groups() {
             if self.structures[group.clone()].iter().all(|structure| !structure.lapsed()) {
@@ -138,12 +137,8 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
                 self.structures[k].estimate(&mut *self.bodies[k], safety)?;
                 least = least.min(self.structures[k].clock.stable);
             }
-            if self.acting.is_empty() {
-                continue;
-            }
-            let between: f64 = self.acting.iter().map(|acting| acting.fastest(&self.bodies)).sum();
-            let together = 2.0 * safety / ((2.0 * safety / least).powi(2) + between).sqrt();
-            self.structures[group].iter_mut().for_each(|structure| structure.clock.stable = together);
+            let stable = self.interactions.stable_step(&self.bodies, least, safety);
+            self.structures[group].iter_mut().for_each(|structure| structure.clock.stable = stable);
         }
         Ok(())
     }
@@ -153,10 +148,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
         let stable = self.structures[group.start].clock.stable;
         let bodies = self.bodies[group.clone()].iter_mut();
         let own = bodies.map(|body| body.shortened(stable, self.safety)).fold(stable, f64::min);
-        let most = self
-            .acting
-            .iter_mut()
-            .fold(own, |least, acting| least.min(acting.shortened(&self.bodies, stable, self.safety)));
+        let most = own.min(self.interactions.shortened(&self.bodies, stable, self.safety));
         self.structures[group.clone()].iter_mut().for_each(|structure| structure.most = most);
     }
 
@@ -199,34 +191,23 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
 
     /// One step of a group, the first of one of the fluid or not; its kick may be done.
     fn one_step(&mut self, group: &Range<usize>, step: &Step, first: bool, kicked: bool) {
-        if self.acting.is_empty() && !kicked {
+        if self.interactions.is_empty() && !kicked {
             return group.clone().for_each(|k| self.structures[k].advance(&mut *self.bodies[k], step, first));
         }
         if !kicked {
             // The work of what they do to each other takes the velocities behind the kick, which a drift may carry on.
-            self.act(step.from);
-            self.acting.iter_mut().for_each(|acting| acting.before(&self.bodies));
+            self.interactions.act(&mut self.bodies, step.from);
+            self.interactions.before(&self.bodies);
             for k in group.clone() {
                 self.bodies[k].evaluate(step.from);
                 self.structures[k].kick_off(&mut *self.bodies[k], step, first);
             }
-            let Self { acting, bodies, between, .. } = self;
-            acting.iter_mut().for_each(|acting| acting.after(bodies, step.kick, between));
+            self.interactions.after(&self.bodies, step.kick, &mut self.between);
         }
         for k in group.clone() {
             self.structures[k].drift(&mut *self.bodies[k], step);
         }
-        self.acting.iter_mut().for_each(Acting::moved);
-        self.acting.iter_mut().for_each(Acting::commit);
-    }
-
-    /// Lets structures act on each other at their present places and an instant; the energy of that \[F L\].
-    fn act(&mut self, at: Instant) -> f64 {
-        if self.acting.is_empty() {
-            return 0.0;
-        }
-        self.bodies.iter_mut().for_each(|body| body.release());
-        self.acting.iter_mut().map(|acting| acting.act(&mut self.bodies, at)).sum()
+        self.interactions.stepped();
     }
 
     /// The forces that the fluid has just found, with the velocities with which it saw the points.

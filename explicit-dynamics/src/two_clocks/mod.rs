@@ -1,6 +1,5 @@
 //! A fluid and the structures in it, each at a clock of its own; what changes beside them, as plain numbers.
 
-mod between;
 mod coupled;
 mod course;
 mod march;
@@ -11,7 +10,7 @@ use course::Course;
 use crate::clock::Shortened;
 use crate::interface::{BoundaryDriven, Wetted};
 use crate::record::Balance;
-use crate::several::Acting;
+use crate::several::{Interaction, Interactions};
 use crate::step::Work;
 
 /// A fluid and the structures in it, marched as one system: a step of the fluid is one or more steps of each structure.
@@ -22,7 +21,7 @@ pub struct TwoClocks<F, S: ?Sized> {
     fluid: F,
     structures: Vec<Coupled>,
     bodies: Vec<Box<S>>,
-    acting: Vec<Acting>,
+    interactions: Interactions,
     /// What structures did to each other since it was last counted \[F L\].
     between: Work,
     /// Fraction of the stable steps that is used.
@@ -78,7 +77,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
             fluid,
             structures,
             bodies,
-            acting: Vec::new(),
+            interactions: Interactions::default(),
             between: Work::default(),
             safety: 1.0,
             slowed: Shortened::default(),
@@ -87,6 +86,23 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
             centred: true,
             counts: Counts::default(),
         }
+    }
+
+    /// Lets structures act on each other; particles of each interaction ascend.
+    #[must_use]
+    pub fn with_interactions(mut self, interactions: Vec<Box<dyn Interaction>>) -> Self {
+        self.interactions = Interactions::new(interactions);
+        self
+    }
+
+    /// What structures do to each other.
+    pub fn interactions(&self) -> &Interactions {
+        &self.interactions
+    }
+
+    /// Takes up what each interaction kept with a state, after the structures have taken it up; false if it is that of others.
+    pub fn take_up(&mut self, kept: &[&[f64]]) -> bool {
+        self.interactions.take_up(&self.bodies, kept)
     }
 
     /// The fluid.

@@ -18,23 +18,23 @@ impl Parts for Clocks {
     }
 
     fn force_on(&self, interaction: usize, body: usize, particle: usize) -> Vec3 {
-        Clocks::force_on(self, interaction, body, particle as u32).into()
+        self.interactions().force_on(interaction, body, particle as u32).into()
     }
 
     fn touching(&self, interaction: usize) -> Option<&TouchingBodies> {
-        (Clocks::interaction(self, interaction)? as &dyn Any).downcast_ref()
+        (self.interactions().get(interaction)? as &dyn Any).downcast_ref()
     }
 
     fn on_tool(&self, interaction: usize) -> Option<&OnTool> {
-        (Clocks::interaction(self, interaction)? as &dyn Any).downcast_ref()
+        (self.interactions().get(interaction)? as &dyn Any).downcast_ref()
     }
 
     fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64 {
-        Clocks::lost_at(self, interaction, body, particle as u32)
+        self.interactions().lost_at(interaction, body, particle as u32)
     }
 
     fn kept(&self) -> Vec<Vec<f64>> {
-        Clocks::kept(self)
+        self.interactions().kept()
     }
 
     fn take_up(&mut self, kept: &[&[f64]]) -> bool {
