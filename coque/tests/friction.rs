@@ -5,8 +5,8 @@
 mod common;
 
 use common::sittings::stopped_again_and_again;
-use common::{Replaced, column, last, overridden, run, text};
-use coque::{Ended, Outcome, Rendering, render};
+use common::{Replaced, column, last, overridden, refusal, run, text};
+use coque::{Ended, Outcome};
 
 const INCLINE: &str = "incline.toml";
 const CAPSTAN: &str = "capstan.toml";
@@ -16,14 +16,6 @@ const GENTLE: (&str, &str) = ("loads[0].gravity.acceleration", "[2.588190451, 0.
 fn done(outcome: Outcome) -> Outcome {
     assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
     outcome
-}
-
-/// Reads and builds a scene after replacements; renders what is refused.
-fn refused(name: &str, replaced: Replaced) -> String {
-    match overridden(&text(name), name, replaced).and_then(|scene| scene.build(1).map(|_| ())) {
-        Ok(()) => "not refused".into(),
-        Err(error) => render(&error, Rendering { width: 100, colour: false }),
-    }
 }
 
 #[test]
@@ -38,7 +30,7 @@ fn broken_friction() {
         ("a smooth tool that turns", CAPSTAN, &[("tools", smooth)]),
         ("a turn without a course in time", INCLINE, &[("tools[0].turn", "0.1")]),
     ];
-    let said = cases.map(|(what, name, replaced)| format!("== {what}\n{}\n", refused(name, replaced)));
+    let said = cases.map(|(what, name, replaced)| format!("== {what}\n{}\n", refusal(name, replaced, 100)));
     insta::assert_snapshot!(said.concat());
 }
 

@@ -5,19 +5,12 @@
 mod common;
 
 use common::sittings::stopped_again_and_again;
-use common::{Replaced, column, overridden, ran, run, text};
-use coque::{Ended, Rendering, render};
+use common::{Replaced, column, overridden, ran, refusal, run, text};
+use coque::Ended;
 use toml::{Table, Value};
 
 const RING: &str = "ring-in-itself.toml";
 const COARSE: (&str, &str) = ("geometry.cylinder.particles", "[21, 3]");
-
-fn refused(replaced: Replaced) -> String {
-    match overridden(&text(RING), "ring.toml", replaced).and_then(|scene| scene.build(1).map(|_| ())) {
-        Ok(()) => "not refused".into(),
-        Err(error) => render(&error, Rendering { width: 400, colour: false }),
-    }
-}
 
 #[test]
 fn broken_contacts_say_where_and_why() {
@@ -39,7 +32,7 @@ fn broken_contacts_say_where_and_why() {
         ("two thicknesses", &[thin], "has one thickness"),
     ];
     for (name, replaced, words) in cases {
-        let said = refused(replaced);
+        let said = refusal(RING, replaced, 400);
         assert!(said.contains(words), "{name}: {said}");
     }
 }

@@ -4,8 +4,8 @@
 
 mod common;
 
-use common::{Replaced, column, overridden, run, text};
-use coque::{Ended, Outcome, Rendering, WarningKind, render};
+use common::{Replaced, column, refusal, run};
+use coque::{Ended, Outcome, WarningKind};
 
 const BEAM: &str = "propped-cantilever.toml";
 const COLUMN: &str = "column-between-tools.toml";
@@ -149,13 +149,6 @@ fn a_ring_pressed_on_itself_vibrates_the_same_however_stiff_its_contact() {
     near(&apart, &without, 1e-9);
 }
 
-fn refused(name: &str, replaced: Replaced) -> String {
-    match overridden(&text(name), name, replaced).and_then(|scene| scene.build(1).map(|_| ())) {
-        Ok(()) => "not refused".into(),
-        Err(error) => render(&error, Rendering { width: 100, colour: false }),
-    }
-}
-
 #[test]
 fn what_does_not_go_together() {
     let own = "[{ friction = 0.3 }]";
@@ -182,6 +175,6 @@ fn what_does_not_go_together() {
             &[("analysis", "{ modal = { modes = 2 } }"), ("curve", "[]"), ("output", "{}")],
         ),
     ];
-    let said = cases.map(|(name, scene, replaced)| format!("== {name}\n{}\n", refused(scene, replaced)));
+    let said = cases.map(|(name, scene, replaced)| format!("== {name}\n{}\n", refusal(scene, replaced, 100)));
     insta::assert_snapshot!(said.concat());
 }

@@ -5,8 +5,8 @@
 mod common;
 
 use common::sittings::stopped_again_and_again;
-use common::{Replaced, column, last, overridden, run, text};
-use coque::{Ended, Outcome, Rendering, WarningKind, render};
+use common::{Replaced, column, last, overridden, refusal, run, text};
+use coque::{Ended, Outcome, WarningKind};
 
 const ARCH: &str = "arch-onto-flat.toml";
 const PINCHED: [(&str, &str); 2] = [
@@ -132,13 +132,6 @@ fn a_tool_that_is_far_changes_nothing() {
     assert!(off < 3e-6, "{off:.1e}");
 }
 
-fn refused(name: &str, replaced: Replaced) -> String {
-    match overridden(&text(name), name, replaced).and_then(|scene| scene.build(1).map(|_| ())) {
-        Ok(()) => "not refused".into(),
-        Err(error) => render(&error, Rendering { width: 100, colour: false }),
-    }
-}
-
 #[test]
 fn what_does_not_go_together() {
     let relaxed = ("analysis", "{ relaxation = { levels = 4 } }");
@@ -148,7 +141,7 @@ fn what_does_not_go_together() {
         ("two bodies", "two-cantilevers.toml", &[relaxed]),
         ("a linear answer", ARCH, &[("analysis", "{ linear = {} }")]),
     ];
-    let said = cases.map(|(name, scene, replaced)| format!("== {name}\n{}\n", refused(scene, replaced)));
+    let said = cases.map(|(name, scene, replaced)| format!("== {name}\n{}\n", refusal(scene, replaced, 100)));
     insta::assert_snapshot!(said.concat());
 }
 

@@ -14,7 +14,7 @@ pub mod torn;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use coque::{Checked, Outcome, Scene, SceneError, Silent};
+use coque::{Checked, Outcome, Rendering, Scene, SceneError, Silent, render};
 
 /// Overrides of a scene: paths and values.
 pub type Replaced<'a> = &'a [(&'a str, &'a str)];
@@ -58,4 +58,10 @@ pub fn column(outcome: &Outcome, name: &str) -> Vec<f64> {
 /// The last value of a column: of a linear answer the only one.
 pub fn last(outcome: &Outcome, name: &str) -> f64 {
     *column(outcome, name).last().unwrap()
+}
+
+/// What refuses a scene of the repository after some values are replaced, in lines of so many letters.
+pub fn refusal(name: &str, replaced: Replaced, width: usize) -> String {
+    let built = overridden(&text(name), name, replaced).and_then(|scene| scene.build(1).map(drop));
+    render(&built.expect_err("not refused"), Rendering { width, colour: false })
 }
