@@ -60,7 +60,7 @@ impl StrainMeasure for AlongItself {
         j
     }
 
-    fn second_gradient(&self, stress: &Resultants) -> Matrix8 {
+    fn second_gradient(&self, _: &Measures, _: &Measures, stress: &Resultants) -> Matrix8 {
         let [m11, m22, m12] = stress.moment;
         let mut out = [[Pack::splat(0.0); 8]; 8];
         for (i, j, value) in [(0, 3, -m11), (1, 4, -m22), (0, 5, m12 * -0.5), (1, 5, m12 * -0.5)] {
@@ -92,7 +92,7 @@ fn main() -> Result<(), String> {
     let (there, before) = (measures(now), measures(reference));
     let forces = AlongItself.transpose(&there, &before, &resultants).components();
     let (gradient, second) =
-        (AlongItself.gradient(&there, &before), AlongItself.second_gradient(&resultants));
+        (AlongItself.gradient(&there, &before), AlongItself.second_gradient(&there, &before, &resultants));
     let mut worst = 0.0_f64;
     for i in 0..8 {
         // Of second degree: central differences of any size are exact but for rounding.

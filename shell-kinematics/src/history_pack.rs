@@ -43,6 +43,11 @@ impl HistoryPack {
         }
     }
 
+    /// [`Memory::free_share`] of the committed history; one without memory.
+    pub fn free_share(&self) -> Pack {
+        self.section.memory().map_or(Pack::splat(1.0), |memory| memory.free_share(&self.committed))
+    }
+
     /// Lets [`Section::resultants`] be those of a history that stays as it is, or no longer.
     pub fn hold(&mut self, held: bool) {
         self.held = held;

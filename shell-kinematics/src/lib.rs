@@ -147,13 +147,16 @@
 mod history_pack;
 mod integrated_section;
 mod layered_section;
+mod log_strain;
 mod memory;
 mod pack;
 mod placement;
 mod rotation;
 mod section;
 mod section_pack;
+mod slope;
 mod strain;
+mod strain_measures;
 mod strain_pack;
 mod strains;
 mod stressed_pack;
@@ -162,17 +165,17 @@ mod tangent;
 pub use history_pack::HistoryPack;
 pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};
+pub use log_strain::Logarithmic;
 pub use memory::Memory;
-pub use pack::{LANES, Number, Pack, Pack3};
+pub use pack::{Arithmetic, LANES, Number, Pack, Pack3};
 pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
 pub use rotation::parallel_transport;
 pub use section::{
     Isotropic, IsotropicSection, MaterialError, Section, SectionOf, SectionScales, linear_tangent,
 };
 pub use section_pack::SectionPack;
-pub use strain::{
-    GreenLagrange, StrainMeasure, StrainsOf, StretchCorrected, strain_measure, strain_measures,
-};
+pub use strain::{GreenLagrange, StrainMeasure, StrainsOf, StretchCorrected};
+pub use strain_measures::{strain_measure, strain_measures};
 pub use strain_pack::StrainPack;
 pub use strains::{Resultants, Strains};
 pub use stressed_pack::StressedPack;

@@ -33,6 +33,11 @@ pub trait Memory {
     /// `C = ∂σ/∂ε` at a fixed committed history, symmetric.
     fn tangent_from(&self, strains: &Strains, committed: &[Pack]) -> Matrix8;
 
+    /// The share of the section that did not flow when a history was committed, in (0, 1]: what is left of the stiffness against zero-energy modes.
+    fn free_share(&self, _committed: &[Pack]) -> Pack {
+        Pack::splat(1.0)
+    }
+
     /// Work per reference area \[F/L\]: stored energy and all that was dissipated.
     fn energy_from(&self, strains: &Strains, committed: &[Pack]) -> Pack;
 }

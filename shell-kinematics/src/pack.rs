@@ -12,11 +12,8 @@ use wide::f64x4;
 /// Points treated together.
 pub const LANES: usize = 4;
 
-/// What the formulas compute with: one number (`f64`), four (a [`Pack`]), or whatever registers a caller brings.
-///
-/// Every operation is that of IEEE 754 on each number by itself, none multiplies and adds at once: the same formula gives
-/// the same bits whatever it computes with.
-pub trait Number:
+/// What formulas ask of numbers that have a derivative.
+pub trait Arithmetic:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -28,6 +25,15 @@ pub trait Number:
     /// The same number in every lane, in registers of this kind.
     fn all(self, value: f64) -> Self;
 
+    /// The square root.
+    fn sqrt(self) -> Self;
+}
+
+/// What the formulas compute with: one number (`f64`), four (a [`Pack`]), or whatever registers a caller brings.
+///
+/// Every operation is that of IEEE 754 on each number by itself, none multiplies and adds at once: the same formula gives
+/// the same bits whatever it computes with.
+pub trait Number: Arithmetic {
     /// Whether the number of every lane is below `bound`; what is not a number is not.
     fn below(self, bound: f64) -> bool;
 
@@ -35,12 +41,19 @@ pub trait Number:
     fn each(self, f: impl Fn(f64) -> f64) -> Self;
 }
 
-impl Number for f64 {
+impl Arithmetic for f64 {
     #[inline(always)]
     fn all(self, value: f64) -> f64 {
         value
     }
 
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        libm::sqrt(self)
+    }
+}
+
+impl Number for f64 {
     #[inline(always)]
     fn below(self, bound: f64) -> bool {
         self < bound
@@ -52,12 +65,19 @@ impl Number for f64 {
     }
 }
 
-impl<L: Lanes> Number for Reals<L> {
+impl<L: Lanes> Arithmetic for Reals<L> {
     #[inline(always)]
     fn all(self, value: f64) -> Self {
         self.lanes.same(value)
     }
 
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Reals::sqrt(self)
+    }
+}
+
+impl<L: Lanes> Number for Reals<L> {
     #[inline(always)]
     fn below(self, bound: f64) -> bool {
         self.outside(self.all(bound), self.all(f64::INFINITY)) == 0b1111
@@ -115,12 +135,19 @@ impl Pack {
     }
 }
 
-impl Number for Pack {
+impl Arithmetic for Pack {
     #[inline(always)]
     fn all(self, value: f64) -> Pack {
         Pack::splat(value)
     }
 
+    #[inline(always)]
+    fn sqrt(self) -> Pack {
+        Pack(self.0.sqrt())
+    }
+}
+
+impl Number for Pack {
     #[inline(always)]
     fn below(self, bound: f64) -> bool {
         let [a, b, c, d] = self.lanes();

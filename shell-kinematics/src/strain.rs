@@ -10,7 +10,7 @@ use crate::tangent::{Matrix8, ZERO8};
 /// How the [`Measures`] of a point become strains.
 ///
 /// `strains` and `transpose` are written together: `transpose` is the derivative of `strains`,
-/// transposed, and a test compares the two by differences for every measure of [`strain_measures`].
+/// transposed, and a test compares the two by differences for every measure of [`crate::strain_measures`].
 pub trait StrainMeasure: Any + Send + Sync {
     /// Name used in scenes.
     fn name(&self) -> &'static str;
@@ -28,7 +28,7 @@ pub trait StrainMeasure: Any + Send + Sync {
     fn gradient(&self, now: &Measures, reference: &Measures) -> Matrix8;
 
     /// `Σ σ ∂²ε/∂m²`, symmetric.
-    fn second_gradient(&self, stress: &Resultants) -> Matrix8;
+    fn second_gradient(&self, now: &Measures, reference: &Measures, stress: &Resultants) -> Matrix8;
 }
 
 /// The formulas of a [`StrainMeasure`] for numbers of one kind.
@@ -80,16 +80,6 @@ pub struct GreenLagrange;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StretchCorrected;
 
-/// Every strain measure, in the order shown to users.
-pub fn strain_measures() -> [&'static dyn StrainMeasure; 2] {
-    [&StretchCorrected, &GreenLagrange]
-}
-
-/// The strain measure of a given name.
-pub fn strain_measure(name: &str) -> Option<&'static dyn StrainMeasure> {
-    strain_measures().into_iter().find(|m| m.name() == name)
-}
-
 impl StrainMeasure for GreenLagrange {
     fn name(&self) -> &'static str {
         "green-lagrange"
@@ -114,7 +104,7 @@ impl StrainMeasure for GreenLagrange {
         unit_matrix()
     }
 
-    fn second_gradient(&self, _: &Resultants) -> Matrix8 {
+    fn second_gradient(&self, _: &Measures, _: &Measures, _: &Resultants) -> Matrix8 {
         ZERO8
     }
 }
@@ -200,7 +190,7 @@ impl StrainMeasure for StretchCorrected {
         j
     }
 
-    fn second_gradient(&self, stress: &Resultants) -> Matrix8 {
+    fn second_gradient(&self, _: &Measures, _: &Measures, stress: &Resultants) -> Matrix8 {
         let [m11, m22, m12] = stress.moment;
         let mut out = ZERO8;
         // κ11 holds −e11 k11 − ¼ g k12, κ22 likewise, κ12 holds −½[(e11+e22) k12 + g (k11+k22)].

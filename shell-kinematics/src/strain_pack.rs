@@ -73,7 +73,7 @@ impl StrainMeasure for StrainPack {
         self.matrix(|own| own.gradient(now, reference))
     }
 
-    fn second_gradient(&self, stress: &Resultants) -> Matrix8 {
-        self.matrix(|own| own.second_gradient(stress))
+    fn second_gradient(&self, now: &Measures, reference: &Measures, stress: &Resultants) -> Matrix8 {
+        self.matrix(|own| own.second_gradient(now, reference, stress))
     }
 }

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use shell_kinematics::{HistoryPack, LANES, Section, SectionPack, StrainMeasure, StressedPack};
+use shell_kinematics::{LANES, Section, SectionPack, StrainMeasure, StressedPack};
 
 use crate::conditions::case::LoadCase;
 use crate::error::ShellError;
 use crate::initial_stress::{InitialStress, resultants_of};
 use crate::points::point::PointLaw;
+use crate::points::remembering::RememberingPack;
 use crate::points::scheme::{Points, Scheme, Sections};
 use crate::reference::Reference;
 use crate::regions::{PointSection, Regions, Scales};
@@ -28,7 +29,7 @@ impl Material {
     /// Strain measure and section of points that have none of their own.
     #[inline(always)]
     pub fn law(&self) -> PointLaw<'_> {
-        PointLaw { strain: self.strain, section: &*self.section }
+        PointLaw { strain: self.strain, section: &*self.section, yielding: None }
     }
 
     /// Whether stresses run linearly through the thickness everywhere.
@@ -108,7 +109,7 @@ impl Material {
             if stressed {
                 return Err(ShellError::Memory("does not go with an initial stress; remove one of them"));
             }
-            let fresh = HistoryPack::new(Arc::clone(&self.section));
+            let fresh = RememberingPack::new(Arc::clone(&self.section));
             points.sections = Sections::Remembering(vec![fresh; points.packs.order.len()]);
         }
         if self.regions.any() {

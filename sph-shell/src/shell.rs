@@ -196,12 +196,12 @@ impl Shell {
     /// Commits what the present strains make of the history of sections with memory, and the anchors of the forces of tools last evaluated: of
     /// an accepted state, whose history is to last. Without memory and friction nothing is done; marches and [`crate::StaticShell`] commit by themselves.
     pub fn commit(&mut self) {
-        let Self { points, material, motion, loading, .. } = self;
+        let Self { points, material, motion, loading, evaluation, .. } = self;
         if let Some(own) = &mut loading.own_contact {
             own.moved();
             own.commit();
         }
-        points.commit(material.strain, &motion.state);
+        points.commit(material.strain, &motion.state, evaluation.threads);
         loading.tools.commit();
     }
 

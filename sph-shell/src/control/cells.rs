@@ -43,11 +43,15 @@
 //! of vectors that turn with the shell, and of second order about a flat cell: objective, patch tests unchanged.
 //! Measurements and the alternatives: docs/zero-energy-control.md.
 
+mod tangent;
+
 use shell_kinematics::{LANES, Number, Pack, Pack3, Placement, PlacementForces};
 use sph_core::{SamplingOperator, Vec3};
 
 use crate::regions::Scales;
 use crate::registers::Registers;
+
+pub(crate) use tangent::{PointTangent, ScaleTangent, VECTORS};
 
 /// Share β_x of the full stiffness of the position hourglass, for shells thin and thick against the spacing \[–\].
 const POSITION_SHARE: [f64; 2] = [0.1, 0.5];
@@ -94,22 +98,6 @@ pub(crate) struct CellState<P = Pack> {
     /// Curvature by chords \[1/L\].
     pub curvature: [P; 3],
 }
-
-/// What the tangent needs of the scaled curvature `k̂ = c k`, weights included.
-pub(crate) struct ScaleTangent {
-    /// Coupling of the scale with the five vectors; the patterns have none.
-    pub mixed: [Pack3; 5],
-    /// Second derivative over the scale itself.
-    pub twice: Pack,
-    /// First derivative over the scale, w M:k.
-    pub released: Pack,
-}
-
-/// Vectors of a point: x,1 x,2 d d,1 d,2 and the patterns q_x q_d.
-pub(crate) const VECTORS: usize = 7;
-
-/// Second derivatives over the components of all vectors of a point.
-pub(crate) type PointTangent = [[Pack; 3 * VECTORS]; 3 * VECTORS];
 
 /// What the control adds: forces on the patterns, to be spread by ±¼.
 pub(crate) struct PatternForces<P = Pack> {
@@ -201,96 +189,6 @@ impl CellPack {
     pub fn gamma(&self, sign: f64, g1: Pack, g2: Pack) -> Pack {
         self.quarter * sign - self.lever[0] * g1 - self.lever[1] * g2
     }
-
-    /// Adds the second derivatives of the control's energy, and those of the curvature's scale, over
-    /// x,1 x,2 d d,1 d,2 q_x q_d: the upper triangle by vectors.
-    #[inline(always)]
-    pub fn add_tangent(
-        &self,
-        p: &Placement,
-        state: &CellState,
-        scale: &ScaleTangent,
-        out: &mut PointTangent,
-    ) {
-        let CellState { q, s, pulled, .. } = state;
-        let [kx, kd] = self.stiffness;
-        let held = kd + state.by_z * scale.released * 2.0;
-        let [b11, b22, b12] = self.twist.map(|h| h * 0.5);
-        let force = |i: usize| pulled[i] * [kx, kx, kx, held, held, self.swirl][i];
-        // s1 … s6: products of a pattern and a vector, ½ H:k with k11 = x,1·d,1, k22 = x,2·d,2, k12 = x,1·d,2 + x,2·d,1, the swirl.
-        let bend = [
-            p.d1 * b11 + p.d2 * b12,
-            p.d2 * b22 + p.d1 * b12,
-            p.x1 * b11 + p.x2 * b12,
-            p.x2 * b22 + p.x1 * b12,
-        ];
-        add_square(out, kx, &[(0, q[0]), (5, p.x1)]);
-        add_square(out, kx, &[(1, q[0]), (5, p.x2)]);
-        add_square(out, kx, &[(0, bend[0]), (1, bend[1]), (2, q[0]), (3, bend[2]), (4, bend[3]), (5, p.d)]);
-        add_square(out, held, &[(0, q[1]), (6, p.x1)]);
-        add_square(out, held, &[(1, q[1]), (6, p.x2)]);
-        add_square(
-            out,
-            self.swirl,
-            &[(0, p.d2), (1, Pack3::ZERO - p.d1), (3, Pack3::ZERO - p.x2), (4, p.x1)],
-        );
-        for (y, z, value) in [
-            (0, 5, force(0)),
-            (1, 5, force(1)),
-            (2, 5, force(2)),
-            (0, 3, force(2) * b11),
-            (1, 4, force(2) * b22),
-            (0, 4, force(2) * b12 + force(5)),
-            (1, 3, force(2) * b12 - force(5)),
-            (0, 6, force(3)),
-            (1, 6, force(4)),
-            (2, 2, scale.released * state.by_u() * -2.0),
-        ] {
-            (0..3).for_each(|k| out[3 * y + k][3 * z + k] += value);
-        }
-        // Gradients of u and z; c has second derivatives 2·CHORD[1] over u, u and HOURGLASS[1] over u, z.
-        let of_u = p.d * Pack::splat(-2.0);
-        let twice = [s[3] * 2.0, s[4] * 2.0];
-        let of_z = [q[1] * twice[0], q[1] * twice[1], p.x1 * twice[0] + p.x2 * twice[1]];
-        let of_c = [of_z[0] * state.by_z, of_z[1] * state.by_z, of_u * state.by_u(), of_z[2] * state.by_z];
-        let half = scale.twice * 0.5;
-        let with_c = [
-            (0, scale.mixed[0] + of_c[0] * half),
-            (1, scale.mixed[1] + of_c[1] * half),
-            (2, scale.mixed[2] + of_c[2] * half),
-            (3, scale.mixed[3]),
-            (4, scale.mixed[4]),
-            (6, of_c[3] * half),
-        ];
-        let of_c = [(0, of_c[0]), (1, of_c[1]), (2, of_c[2]), (6, of_c[3])];
-        add_products(out, &of_c, &with_c);
-        add_products(out, &with_c, &of_c);
-        let (over_u, across) = (scale.released * CHORD[1], scale.released * HOURGLASS[1]);
-        let with_u =
-            [(0, of_z[0] * across), (1, of_z[1] * across), (2, of_u * over_u), (6, of_z[2] * across)];
-        add_products(out, &[(2, of_u)], &with_u);
-        add_products(out, &with_u, &[(2, of_u)]);
-    }
-}
-
-/// Adds `k g gᵀ` for the parts of a gradient g by vectors.
-#[inline(always)]
-fn add_square<const N: usize>(out: &mut PointTangent, stiffness: Pack, gradient: &[(usize, Pack3); N]) {
-    add_products(out, &gradient.map(|(y, part)| (y, part * stiffness)), gradient);
-}
-
-/// Adds the upper triangle of `a bᵀ`, both by vectors.
-#[inline(always)]
-fn add_products(out: &mut PointTangent, a: &[(usize, Pack3)], b: &[(usize, Pack3)]) {
-    for &(y, left) in a {
-        for &(z, right) in b.iter().filter(|part| part.0 >= y) {
-            for k in 0..3 {
-                for l in 0..3 {
-                    out[3 * y + k][3 * z + l] += left.0[k] * right.0[l];
-                }
-            }
-        }
-    }
 }
 
 impl<P: Number> CellPack<P> {
@@ -327,37 +225,61 @@ impl<P: Number> CellPack<P> {
         CellState { q, s, pulled: s, u, z, by_z, scale, curvature: *curvature }
     }
 
-    /// Adds the control's forces to those of the point; returns the pattern forces and the control's energy \[F L\].
-    ///
-    /// `released` is w M:k of [`CellState::released`].
+    /// Stiffness of s1…s6, without what the scale of the curvature adds to s4, s5.
+    #[inline(always)]
+    pub fn stiffnesses(&self) -> [P; 6] {
+        let ([kx, kd], swirl) = (self.stiffness, self.swirl);
+        [kx, kx, kx, kd, kd, swirl]
+    }
+
+    /// What the control pulls at s1…s6, and its energy \[F L\]; `released` is w M:k of [`CellState::released`].
+    #[inline(always)]
+    pub fn pulls(&self, state: &CellState<P>, released: P) -> ([P; 6], P) {
+        let CellState { s, .. } = state;
+        let [kx, kd] = self.stiffness;
+        let held = kd + state.by_z * released * 2.0;
+        let r = [s[0] * kx, s[1] * kx, s[2] * kx, s[3] * held, s[4] * held, s[5] * self.swirl];
+        (r, ((s[0] * r[0] + s[1] * r[1] + s[2] * r[2]) + state.z * kd + s[5] * r[5]) * 0.5)
+    }
+
+    /// Adds the forces of what the control pulls to those of the point; returns the pattern forces.
     #[inline(always)]
     pub fn add(
         &self,
         p: &Placement<P>,
         state: &CellState<P>,
         released: P,
+        [r1, r2, r3, r4, r5, r6]: [P; 6],
         f: &mut PlacementForces<P>,
-    ) -> (PatternForces<P>, P) {
-        let CellState { q, s, .. } = state;
-        let [kx, kd] = self.stiffness;
+    ) -> PatternForces<P> {
+        let q = &state.q;
         let [h11, h22, h12] = self.twist;
-        let held = kd + state.by_z * released * 2.0;
-        let [r1, r2, r3, r4, r5] = [s[0] * kx, s[1] * kx, s[2] * kx, s[3] * held, s[4] * held];
         let position = p.x1 * r1 + p.x2 * r2 + p.d * r3;
         let director = p.x1 * r4 + p.x2 * r5;
-        let (half3, r6) = (r3 * 0.5, s[5] * self.swirl);
+        let half3 = r3 * 0.5;
         let [l1, l2] = self.lever;
         f.n1 += q[0] * r1 + q[1] * r4 + (p.d1 * h11 + p.d2 * h12) * half3 + p.d2 * r6 - position * l1;
         f.n2 += q[0] * r2 + q[1] * r5 + (p.d2 * h22 + p.d1 * h12) * half3 - p.d1 * r6 - position * l2;
         f.q += q[0] * r3 - p.d * (state.by_u() * released * 2.0);
         f.m1 += (p.x1 * h11 + p.x2 * h12) * half3 - p.x2 * r6 - director * l1;
         f.m2 += (p.x2 * h22 + p.x1 * h12) * half3 + p.x1 * r6 - director * l2;
-        let energy = ((s[0] * r1 + s[1] * r2 + s[2] * r3) + state.z * kd + s[5] * r6) * 0.5;
-        (PatternForces { position: position * self.quarter, director: director * self.quarter }, energy)
+        PatternForces { position: position * self.quarter, director: director * self.quarter }
     }
 }
 
 impl<P: Number> CellState<P> {
+    /// s1…s6 less their reference values.
+    pub fn components(&self) -> &[P; 6] {
+        &self.s
+    }
+
+    /// What the scale of the curvature adds to the pulls at s4, s5.
+    #[inline(always)]
+    pub fn pulled_by_scale(&self, released: P) -> [P; 2] {
+        let more = self.by_z * released * 2.0;
+        [self.s[3] * more, self.s[4] * more]
+    }
+
     /// Takes the control's forces, for the tangent, from another state.
     pub fn pull_as(&mut self, other: &Self) {
         self.pulled = other.s;

@@ -4,3 +4,4 @@ pub(crate) mod arcs;
 pub(crate) mod cells;
 pub(crate) mod pairs;
 pub(crate) mod shear;
+pub(crate) mod yielding;

@@ -12,6 +12,7 @@ use shell_kinematics::{
 use crate::control::arcs::ArcPack;
 use crate::control::cells::{CellPack, CellState};
 use crate::control::shear::ShearPack;
+use crate::control::yielding::YieldingControl;
 use crate::packs::{Constants, Entry, Packs, PointPack, Row};
 use crate::registers::{Baseline, Registers};
 
@@ -21,6 +22,8 @@ use crate::registers::{Baseline, Registers};
 pub(crate) struct PointLaw<'a, M: ?Sized = dyn StrainMeasure, S: ?Sized = dyn Section> {
     pub strain: &'a M,
     pub section: &'a S,
+    /// The control of cells where it follows the section.
+    pub yielding: Option<&'a YieldingControl>,
 }
 
 impl<M: ?Sized, S: ?Sized> Clone for PointLaw<'_, M, S> {
@@ -37,7 +40,7 @@ impl PointLaw<'_> {
     pub fn default_pair(&self) -> Option<PointLaw<'_, StretchCorrected, IsotropicSection>> {
         let strain = (self.strain as &dyn Any).downcast_ref()?;
         let section = (self.section as &dyn Any).downcast_ref()?;
-        Some(PointLaw { strain, section })
+        Some(PointLaw { strain, section, yielding: None })
     }
 }
 

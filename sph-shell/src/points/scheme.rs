@@ -1,16 +1,18 @@
 //! The sampling points of a formulation: their layout, what corrects their strains, what holds their zero-energy modes.
 
-use shell_kinematics::{HistoryPack, LANES, Section, SectionPack, StrainMeasure, StrainPack, StressedPack};
+use shell_kinematics::{LANES, Section, SectionPack, StrainMeasure, StrainPack, StressedPack};
 
 use crate::control::arcs::{ArcPack, ChordLoss};
 use crate::control::cells::CellPack;
 use crate::control::pairs::PairControl;
 use crate::control::shear::ShearPack;
+use crate::control::yielding::YieldingControl;
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
 use crate::gather::{Gather, Place, Places};
 use crate::packs::{Constants, Packs, Row};
 use crate::points::point::Point;
+use crate::points::remembering::RememberingPack;
 use crate::points::strong_form::StrongForm;
 use crate::reference::Reference;
 use crate::regions::Scales;
@@ -40,7 +42,7 @@ pub(crate) enum Sections {
     /// The same, under stress before they are strained.
     Stressed(Vec<StressedPack>),
     /// That of the shell, with the history of each point.
-    Remembering(Vec<HistoryPack>),
+    Remembering(Vec<RememberingPack>),
 }
 
 impl Sections {
@@ -51,7 +53,7 @@ impl Sections {
             Self::One => None,
             Self::Own(packs) => packs.get(pack).map(|own| own as _),
             Self::Stressed(packs) => packs.get(pack).map(|own| own as _),
-            Self::Remembering(packs) => packs.get(pack).map(|own| own as _),
+            Self::Remembering(packs) => packs.get(pack).map(|own| &own.section as _),
         }
     }
 
@@ -60,18 +62,24 @@ impl Sections {
             Self::One => 0,
             Self::Own(packs) => size_of_val(&packs[..]),
             Self::Stressed(packs) => size_of_val(&packs[..]),
-            Self::Remembering(packs) => packs.iter().map(HistoryPack::bytes).sum(),
+            Self::Remembering(packs) => packs.iter().map(RememberingPack::bytes).sum(),
         }
     }
 
+    /// The control of a pack where it follows the section.
+    #[inline(always)]
+    pub fn yielding(&self, pack: usize) -> Option<&YieldingControl> {
+        if let Self::Remembering(packs) = self { packs.get(pack).map(|own| &own.control) } else { None }
+    }
+
     /// Those that have a history; none of sections without memory.
-    pub fn histories(&self) -> &[HistoryPack] {
+    pub fn histories(&self) -> &[RememberingPack] {
         if let Self::Remembering(packs) = self { packs } else { &[] }
     }
 
     /// Takes up what the histories gave as numbers; false, and nothing changed, if there are not as many.
     pub fn take_up(&mut self, mut numbers: &[f64]) -> bool {
-        if self.histories().iter().map(HistoryPack::count).sum::<usize>() != numbers.len() {
+        if self.histories().iter().map(RememberingPack::count).sum::<usize>() != numbers.len() {
             return false;
         }
         if let Self::Remembering(packs) = self {
@@ -188,20 +196,22 @@ impl Points {
         }
     }
 
-    /// Commits what the strains of a state make of the history of each point.
-    pub fn commit(&mut self, strain: &dyn StrainMeasure, state: &[Row]) {
-        for index in 0..self.sections.histories().len() {
-            let strains = self.point(index).strained::<true, _>(strain, state).strains;
-            if let Sections::Remembering(packs) = &mut self.sections {
-                packs[index].commit(&strains);
+    /// Commits what a state makes of the history of each point.
+    pub fn commit(&mut self, strain: &dyn StrainMeasure, state: &[Row], threads: usize) {
+        let Sections::Remembering(packs) = &mut self.sections else { return };
+        let mut packs = std::mem::take(packs);
+        parallel::chunks(threads, &mut packs[..], |first, chunk: &mut [RememberingPack]| {
+            for (i, pack) in chunk.iter_mut().enumerate() {
+                pack.commit(&self.point(first + i).strained::<true, _>(strain, state));
             }
-        }
+        });
+        self.sections = Sections::Remembering(packs);
     }
 
     /// Lets all histories stay as they are whatever the strains, or no longer.
     pub fn hold_histories(&mut self, held: bool) {
         if let Sections::Remembering(packs) = &mut self.sections {
-            packs.iter_mut().for_each(|pack| pack.hold(held));
+            packs.iter_mut().for_each(|pack| pack.section.hold(held));
         }
     }
 

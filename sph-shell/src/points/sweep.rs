@@ -3,12 +3,15 @@
 use std::any::Any;
 use std::ops::Range;
 
-use shell_kinematics::{LANES, Pack, Pack3, SectionOf, StrainMeasure, StrainsOf, StretchCorrected};
+use shell_kinematics::{
+    LANES, Logarithmic, Pack, Pack3, SectionOf, StrainMeasure, StrainsOf, StretchCorrected,
+};
 
 use crate::dispatch::{Work, widest};
 use crate::gather::Place;
 use crate::packs::{Packs, PointPack, Row};
 use crate::points::point::{Point, PointForces, PointLaw, signed};
+use crate::points::remembering::RememberingPack;
 use crate::points::scheme::{Points, Sections};
 use crate::registers::{Baseline, Registers};
 
@@ -56,7 +59,7 @@ impl<'a> Sweep<'a> {
             Sections::One => {}
             Sections::Own(own) => return self.cells_of_sections(own, packs, ring, energies),
             Sections::Stressed(own) => return self.cells_of_sections(own, packs, ring, energies),
-            Sections::Remembering(own) => return self.cells_of_sections(own, packs, ring, energies),
+            Sections::Remembering(own) => return self.cells_that_remember(own, packs, ring, energies),
         }
         match (self.law.default_pair(), self.energy) {
             (_, true) => self.cells::<true, _, _, _>(Baseline, self.law, packs, ring, energies),
@@ -83,16 +86,47 @@ impl<'a> Sweep<'a> {
             let energy = std::slice::from_mut(energy);
             match (strain, self.energy) {
                 (Some(strain), false) => {
-                    self.cells::<false, _, _, _>(Baseline, PointLaw { strain, section }, pack, ring, energy);
+                    self.cells::<false, _, _, _>(
+                        Baseline,
+                        PointLaw { strain, section, yielding: None },
+                        pack,
+                        ring,
+                        energy,
+                    );
                 }
                 (_, false) => {
-                    let law = PointLaw { strain: self.law.strain, section };
+                    let law = PointLaw { strain: self.law.strain, section, yielding: None };
                     self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy);
                 }
                 (_, true) => {
-                    let law = PointLaw { strain: self.law.strain, section };
+                    let law = PointLaw { strain: self.law.strain, section, yielding: None };
                     self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy);
                 }
+            }
+        }
+    }
+
+    /// Packs whose sections have a memory, one after the other.
+    #[inline(always)]
+    fn cells_that_remember(
+        &self,
+        own: &[RememberingPack],
+        packs: Range<usize>,
+        ring: &mut Ring,
+        energies: &mut [f64],
+    ) {
+        let strain = (self.law.strain as &dyn Any).downcast_ref::<Logarithmic>();
+        for (index, energy) in packs.zip(energies) {
+            let RememberingPack { section, control } = &own[index];
+            let (pack, energy) = (index..index + 1, std::slice::from_mut(energy));
+            let law = PointLaw { strain: self.law.strain, section, yielding: Some(control) };
+            match (strain, self.energy) {
+                (Some(strain), false) => {
+                    let law = PointLaw { strain, section, yielding: Some(control) };
+                    self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy);
+                }
+                (None, false) => self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy),
+                (_, true) => self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy),
             }
         }
     }
@@ -107,7 +141,7 @@ impl<'a> Sweep<'a> {
     ) {
         for (index, energy) in packs.zip(energies) {
             let strain: &dyn StrainMeasure = &self.points.strains[index];
-            let law = PointLaw { strain, section: &sections[index] };
+            let law = PointLaw { strain, section: &sections[index], yielding: None };
             let (pack, energy) = (index..index + 1, std::slice::from_mut(energy));
             match self.energy {
                 false => self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy),
@@ -261,7 +295,17 @@ fn sweep_pack<
     let zero = Pack3([registers.splat(0.0); 3]);
     let mut pattern = [zero; 2];
     if let Some((cell, state)) = &now.control {
-        let (forces, more) = cell.add(&now.placement, state, released, &mut f);
+        let (pulls, more) = match law.yielding {
+            None => cell.pulls(state, released),
+            Some(own) => {
+                let (mut pulls, work) = own.load(registers).pulls(cell.stiffnesses(), state.components());
+                let [more, again] = state.pulled_by_scale(released);
+                pulls[3] += more;
+                pulls[4] += again;
+                (pulls, work)
+            }
+        };
+        let forces = cell.add(&now.placement, state, released, pulls, &mut f);
         pattern = [forces.position, forces.director];
         energy += more;
     }
@@ -316,8 +360,11 @@ mod tests {
                 *value += 0.01 * libm::sin((7 * i + 3 * k) as f64);
             }
         }
-        let law =
-            PointLaw { strain: &StretchCorrected as &dyn StrainMeasure, section: &section as &dyn Section };
+        let law = PointLaw {
+            strain: &StretchCorrected as &dyn StrainMeasure,
+            section: &section as &dyn Section,
+            yielding: None,
+        };
         let sweep = Sweep { points: &points, law, state: &state, energy: false };
         let count = points.packs.points.len();
         let mut energies = vec![0.0; count];
@@ -327,7 +374,7 @@ mod tests {
             ring.rows().iter().flatten().map(|value| value.to_bits()).collect::<Vec<_>>()
         };
         let here = run(&|ring, energies| widest(Cells { sweep, ring, energies }));
-        let static_law = PointLaw { strain: &StretchCorrected, section: &section };
+        let static_law = PointLaw { strain: &StretchCorrected, section: &section, yielding: None };
         let baseline = run(&|ring, energies| {
             sweep.cells::<false, _, _, _>(Baseline, static_law, 0..count, ring, energies)
         });

@@ -96,9 +96,14 @@ impl Assembly<'_> {
         let mut stencil = Stencil::default();
         for index in (0..self.shell.points.packs.points.len()).filter(|&i| self.pattern.touches(i, rows)) {
             let point = self.shell.points.point(index);
+            let yielding = self.shell.points.sections.yielding(index);
             let tangent = match (point.section, point.strain) {
-                (Some(section), Some(strain)) => self.point_tangent(&point, PointLaw { strain, section }),
-                (Some(section), None) => self.point_tangent(&point, PointLaw { strain: law.strain, section }),
+                (Some(section), Some(strain)) => {
+                    self.point_tangent(&point, PointLaw { strain, section, yielding })
+                }
+                (Some(section), None) => {
+                    self.point_tangent(&point, PointLaw { strain: law.strain, section, yielding })
+                }
                 (None, _) => self.point_tangent(&point, law),
             };
             stencil.take(&point);
@@ -134,7 +139,7 @@ impl Assembly<'_> {
         if let Some(shear) = point.shear {
             shear.transpose(&mut stress);
         }
-        for (row, add) in over.iter_mut().zip(law.strain.second_gradient(&stress)) {
+        for (row, add) in over.iter_mut().zip(law.strain.second_gradient(&now, &pack.reference, &stress)) {
             row.iter_mut().zip(add).for_each(|(value, more)| *value += more);
         }
         let mut forces = law.strain.transpose(&now, &pack.reference, &stress);
@@ -151,7 +156,7 @@ impl Assembly<'_> {
             }
         }
         if let (Some((cell, state)), Some(scale)) = (&control, &scale) {
-            cell.add_tangent(&p, state, scale, &mut out);
+            cell.add_tangent(&p, state, scale, law.yielding, &mut out);
         }
         for row in 0..3 * VECTORS {
             for column in 0..row {

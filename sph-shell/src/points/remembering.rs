@@ -1,0 +1,54 @@
+//! Four points whose section has a memory: the history of the section, and that of the control that follows it.
+
+use std::sync::Arc;
+
+use shell_kinematics::{HistoryPack, LANES, Pack, Section};
+
+use crate::control::yielding::YieldingControl;
+use crate::points::point::PointState;
+
+/// Four points of a section with memory.
+#[derive(Clone, Debug)]
+pub(crate) struct RememberingPack {
+    pub section: HistoryPack,
+    pub control: YieldingControl,
+}
+
+impl RememberingPack {
+    /// Four points that nothing has strained.
+    pub fn new(section: Arc<dyn Section>) -> Self {
+        Self { section: HistoryPack::new(section), control: YieldingControl::default() }
+    }
+
+    /// Commits what a state makes of the history.
+    pub fn commit(&mut self, state: &PointState) {
+        self.section.commit(&state.strains);
+        if let Some((cell, hourglass)) = &state.control {
+            let free = self.section.free_share();
+            self.control.commit(cell.stiffnesses(), hourglass.components(), free);
+        }
+    }
+
+    /// How many numbers [`RememberingPack::numbers`] gives.
+    pub fn count(&self) -> usize {
+        self.section.count() + LANES * YieldingControl::PACKS
+    }
+
+    /// The committed history.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        self.section.numbers().chain(self.control.numbers().into_iter().flat_map(Pack::lanes))
+    }
+
+    /// Takes up what [`RememberingPack::numbers`] gave, to the same bits.
+    pub fn take_up(&mut self, numbers: &[f64]) {
+        let (section, control) = numbers.split_at(self.section.count());
+        self.section.take_up(section);
+        let mut packs = control.as_chunks::<LANES>().0.iter().map(|lanes| Pack::new(*lanes));
+        self.control.take_up(std::array::from_fn(|_| packs.next().unwrap_or_default()));
+    }
+
+    /// Bytes of its lists.
+    pub fn bytes(&self) -> usize {
+        self.section.bytes() + size_of::<YieldingControl>()
+    }
+}
