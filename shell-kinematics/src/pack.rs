@@ -28,6 +28,15 @@ pub trait Number:
     /// The same number in every lane, in registers of this kind.
     fn all(self, value: f64) -> Self;
 
+    /// `√a`.
+    fn sqrt(self) -> Self;
+
+    /// The greater; the other where one is not a number.
+    fn max(self, other: Self) -> Self;
+
+    /// The smaller; the other where one is not a number.
+    fn min(self, other: Self) -> Self;
+
     /// Whether the number of every lane is below `bound`; what is not a number is not.
     fn below(self, bound: f64) -> bool;
 
@@ -39,6 +48,21 @@ impl Number for f64 {
     #[inline(always)]
     fn all(self, value: f64) -> f64 {
         value
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        f64::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn max(self, other: f64) -> f64 {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn min(self, other: f64) -> f64 {
+        if self < other { self } else { other }
     }
 
     #[inline(always)]
@@ -56,6 +80,21 @@ impl<L: Lanes> Number for Reals<L> {
     #[inline(always)]
     fn all(self, value: f64) -> Self {
         self.lanes.same(value)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Reals::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Reals::max(self, other)
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Reals::min(self, other)
     }
 
     #[inline(always)]
@@ -119,6 +158,23 @@ impl Number for Pack {
     #[inline(always)]
     fn all(self, value: f64) -> Pack {
         Pack::splat(value)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Pack {
+        Pack(self.0.sqrt())
+    }
+
+    #[inline(always)]
+    fn max(self, other: Pack) -> Pack {
+        let (a, b) = (self.lanes(), other.lanes());
+        Pack::from_fn(|lane| Number::max(a[lane], b[lane]))
+    }
+
+    #[inline(always)]
+    fn min(self, other: Pack) -> Pack {
+        let (a, b) = (self.lanes(), other.lanes());
+        Pack::from_fn(|lane| Number::min(a[lane], b[lane]))
     }
 
     #[inline(always)]
