@@ -145,6 +145,7 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod history_pack;
+mod inelastic;
 mod integrated_section;
 mod layered_section;
 mod log_strain;
@@ -163,6 +164,7 @@ mod stressed_pack;
 mod tangent;
 
 pub use history_pack::HistoryPack;
+pub use inelastic::{Hardening, Plastic, PlasticPly, PlasticSection, Tallies};
 pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};
 pub use log_strain::Logarithmic;

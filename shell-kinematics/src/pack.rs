@@ -34,6 +34,12 @@ pub trait Arithmetic:
 /// Every operation is that of IEEE 754 on each number by itself, none multiplies and adds at once: the same formula gives
 /// the same bits whatever it computes with.
 pub trait Number: Arithmetic {
+    /// The greater; the other where one is not a number.
+    fn max(self, other: Self) -> Self;
+
+    /// The smaller; the other where one is not a number.
+    fn min(self, other: Self) -> Self;
+
     /// Whether the number of every lane is below `bound`; what is not a number is not.
     fn below(self, bound: f64) -> bool;
 
@@ -54,6 +60,16 @@ impl Arithmetic for f64 {
 }
 
 impl Number for f64 {
+    #[inline(always)]
+    fn max(self, other: f64) -> f64 {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn min(self, other: f64) -> f64 {
+        if self < other { self } else { other }
+    }
+
     #[inline(always)]
     fn below(self, bound: f64) -> bool {
         self < bound
@@ -78,6 +94,16 @@ impl<L: Lanes> Arithmetic for Reals<L> {
 }
 
 impl<L: Lanes> Number for Reals<L> {
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Reals::max(self, other)
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Reals::min(self, other)
+    }
+
     #[inline(always)]
     fn below(self, bound: f64) -> bool {
         self.outside(self.all(bound), self.all(f64::INFINITY)) == 0b1111
@@ -148,6 +174,18 @@ impl Arithmetic for Pack {
 }
 
 impl Number for Pack {
+    #[inline(always)]
+    fn max(self, other: Pack) -> Pack {
+        let (a, b) = (self.lanes(), other.lanes());
+        Pack::from_fn(|lane| Number::max(a[lane], b[lane]))
+    }
+
+    #[inline(always)]
+    fn min(self, other: Pack) -> Pack {
+        let (a, b) = (self.lanes(), other.lanes());
+        Pack::from_fn(|lane| Number::min(a[lane], b[lane]))
+    }
+
     #[inline(always)]
     fn below(self, bound: f64) -> bool {
         let [a, b, c, d] = self.lanes();

@@ -120,6 +120,26 @@ pub enum MaterialError {
     NoPlies,
     /// The angle of a ply must be finite.
     Angle(f64),
+    /// A constant of a law lies outside its bound.
+    Constant {
+        /// Which one.
+        what: &'static str,
+        /// Value found, in the units of the constant.
+        value: f64,
+        /// What it must be.
+        bound: &'static str,
+    },
+    /// A row of a hardening table lies outside its bound.
+    Row {
+        /// Which row, from one.
+        row: usize,
+        /// Which column.
+        what: &'static str,
+        /// Value found.
+        value: f64,
+        /// What it must be.
+        bound: &'static str,
+    },
 }
 
 impl std::fmt::Display for MaterialError {
@@ -138,6 +158,10 @@ impl std::fmt::Display for MaterialError {
             ),
             Self::NoPlies => write!(f, "there is no ply; give at least one"),
             Self::Angle(v) => write!(f, "the angle of a ply is {v}; it must be finite"),
+            Self::Constant { what, value, bound } => write!(f, "{what} is {value}; it must be {bound}"),
+            Self::Row { row, what, value, bound } => {
+                write!(f, "{what} of row {row} of the hardening table is {value}; it must be {bound}")
+            }
         }
     }
 }

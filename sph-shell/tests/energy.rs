@@ -46,7 +46,8 @@ fn force_is_the_derivative_of_the_energy() {
         for strain in strain_measures() {
             let mut body =
                 shell(cloud.clone(), formulation, common::THICKNESS, strain, Vec::new(), Vec::new());
-            shake(&mut body, 0.08, 11);
+            // A stencil that is turned inside out has no logarithm.
+            shake(&mut body, if strain.name() == "logarithmic" { 0.03 } else { 0.08 }, 11);
             let exact = forces(&mut body);
             let mut dice = RandomNumbers(5);
             // A random direction; directors turn along their spheres, so only the tangent part does work.

@@ -1,0 +1,204 @@
+//! The law of a point in plane stress: a step back to the yield surface, in the coordinates of [`super::modes`].
+//!
+//! With elastic coordinates x = e − e_p of a strain e, back stress `b_i = ⅔H_k e_p,i/p_i` and ξ = x − b, a step of backward Euler is
+//!
+//! ```text
+//! ξ_i = ξ_i⁰/(1 + a_i γ)     a_i = p_i + ⅔H_k     e_p,i += γ p_i ξ_i     α' = α + rγf     r = √⅔
+//! f(γ)² = Σ A_i/(1 + a_i γ)²     A_i = p_i (ξ_i⁰)²                  flows if f(0) > r K(α)
+//! ```
+//!
+//! and minimises ½|x|² + ∫K dα + ½·⅔H_k Σ e_p,i²/p_i. It is one equation, `r K(α')/f − 1 = 0`, which is nearly linear in γ: with
+//! `F = Σ a_i A_i/(1 + a_iγ)³` and `G = Σ A_i/(1 + a_iγ)³` Newton's step is
+//!
+//! ```text
+//! γ += (f − r K) f²/(⅔ K' f G + r K F)
+//! ```
+//!
+//! The first of them starts at γ = 0, three more follow, always: no lane takes a branch. \[simo1998\], §3.4, has the step and its tangent.
+
+use super::functions::above_zero;
+use super::hardening::{Hardening, Yield};
+use super::modes::Modes;
+use crate::pack::{Number, Pack};
+
+/// Newton's steps behind the first.
+const STEPS: usize = 3;
+/// Points within this share of the yield stress below the surface stand on it.
+const ON_THE_SURFACE: f64 = 1e-9;
+
+/// r = √⅔.
+fn root() -> f64 {
+    (2.0_f64 / 3.0).sqrt()
+}
+
+/// What a point is made of.
+#[derive(Clone, Debug)]
+pub(super) struct PointLaw {
+    hardening: Hardening,
+    /// ⅔H_k \[F/L²\].
+    kinematic: f64,
+    /// p \[F/L²\].
+    yielding: [f64; 3],
+    /// Whether the second and the third p are the same, so that their terms are one.
+    pair: bool,
+    /// r.
+    root: f64,
+}
+
+/// What a step makes of a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point<P> {
+    /// Elastic strain, or stress: x.
+    pub stress: [P; 3],
+    /// e_p.
+    pub plastic: [P; 3],
+    /// Equivalent plastic strain.
+    pub alpha: P,
+    /// γ, zero where nothing flows \[L²/F\].
+    pub gamma: P,
+    /// ξ.
+    pub over: [P; 3],
+    /// f(0) − r K(α) (1 − 1e-9): positive where the tangent is that of flow.
+    pub beyond: P,
+}
+
+/// γ and f(γ) of one equation.
+struct Root<P> {
+    gamma: P,
+    size: P,
+    beyond: P,
+}
+
+impl PointLaw {
+    /// Hardening of both kinds, H_k the modulus of the kinematic one \[F/L²\].
+    pub fn new(modes: &Modes, hardening: Hardening, kinematic: f64) -> Self {
+        Self {
+            hardening,
+            kinematic: kinematic * 2.0 / 3.0,
+            yielding: modes.yielding,
+            pair: modes.yielding[1] == modes.yielding[2],
+            root: root(),
+        }
+    }
+
+    /// ξ of a point that stays as it is.
+    #[inline(always)]
+    fn over<P: Number>(&self, stress: &[P; 3], plastic: &[P; 3]) -> [P; 3] {
+        if self.kinematic == 0.0 {
+            return *stress;
+        }
+        std::array::from_fn(|i| stress[i] - plastic[i] * (self.kinematic / self.yielding[i]))
+    }
+
+    /// The step to a strain e from a committed point: e_p and α.
+    #[inline(always)]
+    pub fn step<P: Number>(&self, strain: &[P; 3], committed: &[P; 4]) -> Point<P> {
+        let [p0, p1, p2, alpha] = *committed;
+        let plastic = [p0, p1, p2];
+        let stress = std::array::from_fn(|i| strain[i] - plastic[i]);
+        let over = self.over(&stress, &plastic);
+        let square = |i: usize| over[i] * over[i] * self.yielding[i];
+        let [a, b, c] = self.yielding.map(|p| p + self.kinematic);
+        let root = if self.pair {
+            self.solve(&[square(0), square(1) + square(2)], &[a, b], alpha)
+        } else {
+            self.solve(&[square(0), square(1), square(2)], &[a, b, c], alpha)
+        };
+        let Some(Root { gamma, size, beyond }) = root else {
+            let zero = alpha.all(0.0);
+            return Point { stress, plastic, alpha, gamma: zero, over, beyond: zero - zero.all(1.0) };
+        };
+        let one = alpha.all(1.0);
+        let over = std::array::from_fn(|i| over[i] / (one + gamma * [a, b, c][i]));
+        let flow: [P; 3] = std::array::from_fn(|i| gamma * over[i] * self.yielding[i]);
+        Point {
+            stress: std::array::from_fn(|i| stress[i] - flow[i]),
+            plastic: std::array::from_fn(|i| plastic[i] + flow[i]),
+            alpha: alpha + gamma * size * self.root,
+            gamma,
+            over,
+            beyond,
+        }
+    }
+
+    /// γ for the terms A_i of the trial stress and rates a_i; none where no lane is on the surface.
+    #[inline(always)]
+    fn solve<P: Number, const N: usize>(
+        &self,
+        terms: &[P; N],
+        rates: &[f64; N],
+        alpha: P,
+    ) -> Option<Root<P>> {
+        let [zero, one] = [0.0, 1.0].map(|value| alpha.all(value));
+        let r = self.root;
+        let start = self.hardening.at(alpha);
+        let limit = start.stress * r;
+        // Keeps a point without stress from dividing zero by zero; of the size of rounding squared.
+        let tiny = limit * limit * 1e-32;
+        let square = terms.iter().fold(tiny, |sum, term| sum + *term);
+        let size = square.sqrt();
+        let beyond = size - limit * (1.0 - ON_THE_SURFACE);
+        if beyond.below(0.0) {
+            return None;
+        }
+        let newton = |size: P, square: P, own: P, weighted: P, now: Yield<P>| {
+            (size - now.stress * r) * square
+                / (now.slope * size * own * (2.0 / 3.0) + now.stress * weighted * r)
+        };
+        let weighted = terms.iter().zip(rates).fold(tiny * rates[0], |sum, (term, rate)| sum + *term * *rate);
+        let mut gamma = newton(size, square, square, weighted, start).max(zero);
+        let sums = |gamma: P| {
+            let [mut square, mut own, mut weighted] = [tiny, tiny, tiny * rates[0]];
+            for (term, rate) in terms.iter().zip(rates) {
+                let share = one / (one + gamma * *rate);
+                let term = *term * share * share;
+                square += term;
+                own += term * share;
+                weighted += term * share * *rate;
+            }
+            [square, own, weighted]
+        };
+        for _ in 0..STEPS {
+            let [square, own, weighted] = sums(gamma);
+            let size = square.sqrt();
+            let now = self.hardening.at(alpha + gamma * size * r);
+            gamma = (gamma + newton(size, square, own, weighted, now)).max(zero);
+        }
+        Some(Root { gamma, size: sums(gamma)[0].sqrt(), beyond })
+    }
+
+    /// Work per volume \[F/L²\]: stored elastically, stored by hardening, dissipated.
+    #[inline(always)]
+    pub fn work<P: Number>(&self, stress: &[P; 3], plastic: &[P; 3], alpha: P) -> [P; 3] {
+        let elastic = (stress[0] * stress[0] + stress[1] * stress[1] + stress[2] * stress[2]) * 0.5;
+        let mut hardened = self.hardening.stored(alpha);
+        if self.kinematic > 0.0 {
+            for i in 0..3 {
+                hardened += plastic[i] * plastic[i] * (0.5 * self.kinematic / self.yielding[i]);
+            }
+        }
+        [elastic, hardened, alpha * self.hardening.initial()]
+    }
+
+    /// `∂x/∂e` of the step, symmetric: 11, 22, 33, 12, 13, 23 of its three coordinates.
+    ///
+    /// With `θ1 = 1 + ⅔H_kγ`, `θ2 = 1 − ⅔K'γ`, `m_i = 1/(1 + p_iγ/θ1)` and `n_i = m_i p_i ξ_i` it is
+    /// `diag m − θ2 n nᵀ/(θ2 Σ n_i p_i ξ_i + ⅔θ1(K'θ1 + H_kθ2) f²)`.
+    pub fn tangent(&self, point: &Point<Pack>) -> [Pack; 6] {
+        let [zero, one] = [Pack::ZERO, Pack::splat(1.0)];
+        let slope = self.hardening.at(point.alpha).slope;
+        let theta1 = one + point.gamma * self.kinematic;
+        let theta2 = one - slope * point.gamma * (2.0 / 3.0);
+        let m = self.yielding.map(|p| theta1 / (theta1 + point.gamma * p));
+        let n: [Pack; 3] = std::array::from_fn(|i| m[i] * point.over[i] * self.yielding[i]);
+        let [mut across, mut square] = [zero, zero];
+        for i in 0..3 {
+            across += n[i] * point.over[i] * self.yielding[i];
+            square += point.over[i] * point.over[i] * self.yielding[i];
+        }
+        let harden = theta1 * (slope * theta1 * (2.0 / 3.0) + theta2 * self.kinematic) * square;
+        let share = theta2 * above_zero(point.beyond) / (theta2 * across + harden).max(Pack::splat(1e-300));
+        let entry = |i: usize, j: usize| (if i == j { m[i] } else { zero }) - n[i] * n[j] * share;
+        [entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)]
+    }
+}

@@ -1,0 +1,332 @@
+//! A section that yields: plies of equal slices, with the plastic strain of each, the thickness and the stretch as memory.
+
+use super::functions::above_zero;
+use super::hardening::{Hardening, not_negative};
+use super::modes::Modes;
+use super::return_map::PointLaw;
+use super::slices::{Slice, slices};
+use super::thickness::{self, Lever};
+use crate::layered_section::{LayeredSection, Orthotropic, Ply};
+use crate::memory::Memory;
+use crate::pack::{Number, Pack};
+use crate::section::{Isotropic, MaterialError, Section, SectionScales};
+use crate::strains::{Resultants, Strains};
+use crate::tangent::Matrix8;
+
+/// Numbers of a history that each slice has: three plastic strains in the coordinates of [`super::modes`], then α.
+pub(super) const OF_SLICE: usize = 4;
+/// Numbers of a history behind those of the slices: λ₃ − 1, U⁻¹ − 1, and 1 − ψ.
+pub(super) const OF_SECTION: usize = thickness::NUMBERS + 1;
+/// The least share ψ of a section that counts as not flowing.
+const LEAST_FREE: f64 = 0.02;
+
+/// Isotropic elasticity with von Mises' yield criterion and associated flow.
+#[derive(Clone, Debug)]
+pub struct Plastic {
+    elastic: Isotropic,
+    hardening: Hardening,
+    kinematic: f64,
+    modes: Modes,
+}
+
+impl Plastic {
+    /// Isotropic hardening alone.
+    pub fn new(elastic: Isotropic, hardening: Hardening) -> Self {
+        Self { elastic, hardening, kinematic: 0.0, modes: Modes::von_mises(&elastic) }
+    }
+
+    /// The same with linear kinematic hardening beside it: in uniaxial tension the back stress grows by H_k \[F/L²\] a plastic strain.
+    ///
+    /// # Errors
+    /// [`MaterialError::Constant`] unless H_k is zero or positive, and finite.
+    pub fn kinematic(self, modulus: f64) -> Result<Self, MaterialError> {
+        Ok(Self { kinematic: not_negative("the modulus of kinematic hardening", modulus)?, ..self })
+    }
+}
+
+/// One ply of a [`PlasticSection`].
+#[derive(Clone, Debug)]
+pub struct PlasticPly {
+    /// What it is made of.
+    pub material: Plastic,
+    /// Thickness \[L\].
+    pub thickness: f64,
+    /// Angle of its first axis from the first axis of the point's frame, positive towards the second \[rad\].
+    pub angle: f64,
+    /// Points through its thickness, at least 2.
+    pub slices: usize,
+}
+
+/// A ply as long as nothing flows.
+fn elastic_ply(ply: &PlasticPly) -> Result<Ply, MaterialError> {
+    let Isotropic { young, poisson } = ply.material.elastic;
+    let shear = ply.material.elastic.shear();
+    let material = Orthotropic::new(young, young, poisson, shear, shear)?;
+    Ok(Ply { material, thickness: ply.thickness, angle: ply.angle })
+}
+
+/// One ply with its points.
+#[derive(Clone, Debug)]
+pub(super) struct Layer {
+    pub law: PointLaw,
+    pub modes: Modes,
+    pub slices: Vec<Slice>,
+    /// The place of its first number in a history.
+    first: usize,
+    /// `∂ ln λ₃/∂x` and `∂ ln λ₃/∂e_p` of the ply alone.
+    thinning: [[f64; 3]; 2],
+}
+
+/// Plane-stress plasticity at points through the thickness, on logarithmic strains: the membrane strain of a point is the logarithmic
+/// strain h of its mid-surface, its curvature the change K of curvature freed of stretch.
+///
+/// Transverse shear is elastic, `Q = (5/6) Σ G t γ`, and no part of the yield criterion. The history has, a slice, three plastic strains and α,
+/// then λ₃ − 1, U⁻¹ − 1 and 1 − ψ ([`PlasticSection::tallies`] reads it). λ₃ and U⁻¹ are those of the last commit, which makes a step's resultants
+/// the derivative of its work; a commit moves them, and with them the strain of a bent point by z(F' − F)K.
+#[derive(Clone, Debug)]
+pub struct PlasticSection {
+    pub(super) layers: Vec<Layer>,
+    /// (5/6) Σ G t \[F/L\].
+    pub(super) shear: f64,
+    pub(super) scales: SectionScales,
+}
+
+impl PlasticSection {
+    /// One material through the thickness t \[L\].
+    ///
+    /// # Errors
+    /// Those of [`PlasticSection::layered`].
+    pub fn new(material: Plastic, thickness: f64, slices: usize) -> Result<Self, MaterialError> {
+        Self::layered(&[PlasticPly { material, thickness, angle: 0.0, slices }])
+    }
+
+    /// Plies from the lowest (against the normal) to the highest; their middle is the mid-surface.
+    ///
+    /// # Errors
+    /// [`MaterialError`] for no ply at all, a thickness that is not positive, an angle that is not finite, fewer than 2 slices of a ply.
+    pub fn layered(plies: &[PlasticPly]) -> Result<Self, MaterialError> {
+        let elastic: Result<Vec<Ply>, MaterialError> = plies.iter().map(elastic_ply).collect();
+        let scales = LayeredSection::new(&elastic?)?.scales();
+        let (mut bottom, mut first) = (-0.5 * scales.thickness, 0);
+        let mut layers = Vec::with_capacity(plies.len());
+        for ply in plies {
+            if ply.slices < 2 {
+                let (what, value) = ("the number of slices of a ply", ply.slices as f64);
+                return Err(MaterialError::Constant { what, value, bound: "at least 2" });
+            }
+            let Plastic { elastic, hardening, kinematic, modes } = ply.material.clone();
+            let trace = modes.of_strains(&[1.0, 1.0, 0.0]);
+            let by = |factor: f64| trace.map(|t| -t * factor / elastic.young);
+            layers.push(Layer {
+                law: PointLaw::new(&modes, hardening, kinematic),
+                modes,
+                first,
+                slices: slices(ply.slices, ply.thickness, bottom + 0.5 * ply.thickness).collect(),
+                thinning: [by(elastic.poisson), by(1.0 - elastic.poisson)],
+            });
+            bottom += ply.thickness;
+            first += OF_SLICE * ply.slices;
+        }
+        Ok(Self { layers, shear: scales.shear, scales })
+    }
+
+    /// Numbers of a history.
+    pub(super) fn numbers(&self) -> usize {
+        OF_SLICE * self.layers.iter().map(|layer| layer.slices.len()).sum::<usize>() + OF_SECTION
+    }
+
+    /// The place of λ₃ − 1 in a history.
+    pub(super) fn of_section(&self) -> usize {
+        self.numbers() - OF_SECTION
+    }
+
+    /// λ₃ and U⁻¹ of a history.
+    #[inline(always)]
+    pub(super) fn lever<P: Number>(&self, read: impl Fn(usize) -> P) -> Lever<P> {
+        let first = self.of_section();
+        Lever::read(std::array::from_fn(|i| read(first + i)))
+    }
+
+    /// What a function makes of stresses at the points: their sum and their moment.
+    #[inline(always)]
+    fn summed<P: Number>(
+        &self,
+        strains: &Strains<P>,
+        read: impl Fn(usize) -> P,
+        stress: impl Fn(&PointLaw, &[P; 3], &[P; OF_SLICE]) -> [P; 3],
+    ) -> Resultants<P> {
+        let lever = self.lever(&read);
+        let zero = [strains.shear[0].all(0.0); 3];
+        let [mut membrane, mut moment] = [zero; 2];
+        for layer in &self.layers {
+            let across = layer.across(strains, &lever);
+            let [mut force, mut turn] = [zero; 2];
+            for (slice, place) in layer.points() {
+                let x = stress(&layer.law, &across.at(slice), &committed(&read, place));
+                for i in 0..3 {
+                    force[i] += x[i] * slice.weight;
+                    turn[i] += x[i] * (slice.weight * slice.height);
+                }
+            }
+            let [force, turn] = [force, turn].map(|x| layer.modes.stresses(&x));
+            for i in 0..3 {
+                membrane[i] += force[i];
+                moment[i] += turn[i];
+            }
+        }
+        let shear = strains.shear.map(|gamma| gamma * self.shear);
+        Resultants { membrane, moment: lever.moments(&moment), shear }
+    }
+
+    /// [`Memory::resultants_from`] in any registers; `read` gives the numbers of the committed history.
+    #[inline(always)]
+    pub fn resultants_in<P: Number>(&self, strains: &Strains<P>, read: impl Fn(usize) -> P) -> Resultants<P> {
+        self.summed(strains, read, |law, strain, committed| law.step(strain, committed).stress)
+    }
+
+    /// [`Memory::energy_from`] in any registers.
+    #[inline(always)]
+    pub fn energy_in<P: Number>(&self, strains: &Strains<P>, read: impl Fn(usize) -> P) -> P {
+        let lever = self.lever(&read);
+        let [g1, g2] = strains.shear;
+        let mut work = (g1 * g1 + g2 * g2) * (0.5 * self.shear);
+        for layer in &self.layers {
+            let across = layer.across(strains, &lever);
+            for (slice, place) in layer.points() {
+                let point = layer.law.step(&across.at(slice), &committed(&read, place));
+                let [stored, hardened, dissipated] =
+                    layer.law.work(&point.stress, &point.plastic, point.alpha);
+                work += (stored + hardened + dissipated) * slice.weight;
+            }
+        }
+        work
+    }
+
+    /// [`Memory::history_from`] in any registers; `write` takes every number of the new history with its place.
+    ///
+    /// ln λ₃ is the mean over the thickness of `−ν/E (σ11 + σ22) − (εp11 + εp22)`. ψ is the share of the points, each with the square of its height,
+    /// that do not flow in this step, at least 0.02.
+    #[inline(always)]
+    pub fn commit_in<P: Number>(
+        &self,
+        strains: &Strains<P>,
+        read: impl Fn(usize) -> P,
+        mut write: impl FnMut(usize, P),
+    ) {
+        let lever = self.lever(&read);
+        let zero = strains.shear[0].all(0.0);
+        let (mut log_thickness, mut flowing, mut whole) = (zero, zero, 0.0);
+        for layer in &self.layers {
+            let across = layer.across(strains, &lever);
+            for (slice, place) in layer.points() {
+                let point = layer.law.step(&across.at(slice), &committed(&read, place));
+                for i in 0..3 {
+                    write(place + i, point.plastic[i]);
+                    let thinner =
+                        point.stress[i] * layer.thinning[0][i] + point.plastic[i] * layer.thinning[1][i];
+                    log_thickness += thinner * (slice.weight / self.scales.thickness);
+                }
+                write(place + 3, point.alpha);
+                let share = slice.weight * slice.height * slice.height;
+                flowing += above_zero(point.gamma) * share;
+                whole += share;
+            }
+        }
+        let first = self.of_section();
+        for (i, number) in thickness::numbers(log_thickness, &strains.membrane).into_iter().enumerate() {
+            write(first + i, number);
+        }
+        write(first + thickness::NUMBERS, (flowing * (1.0 / whole)).min(zero.all(1.0 - LEAST_FREE)));
+    }
+}
+
+/// Strains through the thickness of a ply, in the coordinates of its modes.
+#[derive(Clone, Copy)]
+pub(super) struct Across<P> {
+    middle: [P; 3],
+    slope: [P; 3],
+}
+
+impl<P: Number> Across<P> {
+    #[inline(always)]
+    pub(super) fn at(&self, slice: &Slice) -> [P; 3] {
+        std::array::from_fn(|i| self.middle[i] + self.slope[i] * slice.height)
+    }
+}
+
+impl Layer {
+    #[inline(always)]
+    pub(super) fn across<P: Number>(&self, strains: &Strains<P>, lever: &Lever<P>) -> Across<P> {
+        Across {
+            middle: self.modes.of_strains(&strains.membrane),
+            slope: self.modes.of_strains(&lever.strains(&strains.curvature)),
+        }
+    }
+
+    /// Its points, each with the place of its numbers in a history.
+    #[inline(always)]
+    pub(super) fn points(&self) -> impl Iterator<Item = (&Slice, usize)> {
+        self.slices.iter().enumerate().map(|(i, slice)| (slice, self.first + OF_SLICE * i))
+    }
+}
+
+/// The numbers of a point in a history.
+#[inline(always)]
+fn committed<P>(read: impl Fn(usize) -> P, place: usize) -> [P; OF_SLICE] {
+    std::array::from_fn(|i| read(place + i))
+}
+
+impl Memory for PlasticSection {
+    fn history_len(&self) -> usize {
+        self.numbers()
+    }
+
+    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) {
+        self.commit_in(strains, |i| committed[i], |i, number| trial[i] = number);
+    }
+
+    fn resultants_from(&self, strains: &Strains, committed: &[Pack]) -> Resultants {
+        self.resultants_in(strains, |i| committed[i])
+    }
+
+    fn held_resultants(&self, strains: &Strains, committed: &[Pack]) -> Resultants {
+        let elastic = |_: &PointLaw, strain: &[Pack; 3], kept: &[Pack; OF_SLICE]| {
+            std::array::from_fn(|i| strain[i] - kept[i])
+        };
+        self.summed(strains, |i| committed[i], elastic)
+    }
+
+    fn tangent_from(&self, strains: &Strains, committed: &[Pack]) -> Matrix8 {
+        self.tangent_in(strains, |i| committed[i])
+    }
+
+    fn energy_from(&self, strains: &Strains, committed: &[Pack]) -> Pack {
+        self.energy_in(strains, |i| committed[i])
+    }
+
+    fn free_share(&self, committed: &[Pack]) -> Pack {
+        self.tallies(committed).free_share()
+    }
+}
+
+impl Section for PlasticSection {
+    fn resultants(&self, strains: &Strains) -> Resultants {
+        self.resultants_in(strains, |_| Pack::ZERO)
+    }
+
+    fn tangent(&self, strains: &Strains) -> Matrix8 {
+        self.tangent_in(strains, |_| Pack::ZERO)
+    }
+
+    fn energy(&self, strains: &Strains) -> Pack {
+        self.energy_in(strains, |_| Pack::ZERO)
+    }
+
+    fn scales(&self) -> SectionScales {
+        self.scales
+    }
+
+    fn memory(&self) -> Option<&dyn Memory> {
+        Some(self)
+    }
+}
