@@ -1,7 +1,9 @@
 //! Four points of a section with memory, and the history that each has.
 
+use std::any::Any;
 use std::sync::Arc;
 
+use crate::inelastic::{PlasticSection, Tallies};
 use crate::memory::Memory;
 use crate::pack::{LANES, Pack};
 use crate::section::{Section, SectionOf, SectionScales};
@@ -46,6 +48,12 @@ impl HistoryPack {
     /// [`Memory::free_share`] of the committed history; one without memory.
     pub fn free_share(&self) -> Pack {
         self.section.memory().map_or(Pack::splat(1.0), |memory| memory.free_share(&self.committed))
+    }
+
+    /// What the committed history of a section that yields says.
+    pub fn tallies(&self) -> Option<Tallies<'_>> {
+        let section: &PlasticSection = (&*self.section as &dyn Any).downcast_ref()?;
+        Some(section.tallies(&self.committed))
     }
 
     /// Lets [`Section::resultants`] be those of a history that stays as it is, or no longer.

@@ -347,7 +347,7 @@ pub use even_bed::{EvenBed, even_bed};
 pub use formulation::{Divergence, Formulation, Reach};
 pub use initial_stress::InitialStress;
 pub use junction::rigid::{RigidLoad, RigidSet};
-pub use points::results::PointResult;
+pub use points::results::{PointResult, Yielded};
 pub use reference::{Reference, origin_of};
 pub use regions::{PointSection, Region};
 pub use statics::static_shell::StaticShell;

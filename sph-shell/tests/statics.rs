@@ -25,6 +25,10 @@ fn the_tangent_is_the_second_derivative_of_the_energy() {
     ] {
         for (name, formulation) in energy_formulations() {
             for strain in strain_measures() {
+                // These motions turn some of the wide stencils of scattered particles inside out, which has no logarithm.
+                if strain.name() == "logarithmic" && cloud_name == "scattered" && !name.contains("cell") {
+                    continue;
+                }
                 let sides = cloud.sides.clone().unwrap();
                 let supports = vec![
                     Supported { particles: sides.edge(Side::U0).to_vec(), support: Box::new(Clamped) },

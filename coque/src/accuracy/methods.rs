@@ -18,7 +18,7 @@ pub(super) fn methods(scene: &Checked) -> Vec<(String, Checked)> {
     if let Some(BodyScene::Shell(shell)) = cells.bodies.values_mut().next()
         && !is_cell(&shell.formulation)
     {
-        let curvature = shell.formulation.curvature().to_owned();
+        let curvature = shell.formulation.curvature().map(str::to_owned);
         shell.formulation =
             Formulation::StressPoint(StressPoint { support: Reach::Cell, kernel: None, curvature });
         scenes.extend(cells.check());

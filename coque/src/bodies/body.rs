@@ -15,6 +15,7 @@ use super::figures::FluidFigures;
 use super::outline::Outline;
 use super::resultants::{LoadResultants, Resultant};
 use super::sampled::POINT_NUMBERS;
+use super::yielding::Yielding;
 use crate::Warning;
 use crate::scene::Measured;
 
@@ -76,6 +77,11 @@ pub trait Body: Send {
 
     /// What each particle of one of its bodies feels of contact, for the forces last evaluated; nothing where nothing touches it.
     fn nodal_contact(&self, _body: usize) -> Vec<NodalContact> {
+        Vec::new()
+    }
+
+    /// What each particle of one of its bodies that yields has gone through; empty for others.
+    fn yielding(&self, _body: usize) -> Vec<Yielding> {
         Vec::new()
     }
 

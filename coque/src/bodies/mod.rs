@@ -43,6 +43,7 @@ mod solid;
 mod together;
 mod tool_shapes;
 mod unseen;
+mod yielding;
 
 pub(crate) use body::extent;
 pub use body::{
@@ -59,3 +60,4 @@ pub use model::{Model, NoPush, Task};
 pub use outline::Outline;
 pub use probe::Probe;
 pub use resultants::{LoadResultants, Resultant};
+pub use yielding::Yielding;

@@ -129,6 +129,9 @@ impl Probe {
         if matches!(self.of, Measured::ContactGap | Measured::GreatestDepth | Measured::TouchingArea) {
             return self.nodal_contact(body);
         }
+        if matches!(self.of, Measured::PlasticStrain | Measured::Thickness | Measured::PlasticWork) {
+            return self.yielding(body);
+        }
         let followed =
             self.of == Measured::Rotation && !self.particles.iter().all(|&a| body.counts_turns(a as usize));
         if followed {
@@ -163,6 +166,16 @@ impl Probe {
             None => 0.0,
         };
         own.iter().map(one).collect()
+    }
+
+    /// What the particles have gone through, all of one body that yields.
+    fn yielding(&self, body: &dyn Body) -> Vec<f64> {
+        let Some(&first) = self.particles.first() else { return Vec::new() };
+        let (of, own) = body.place(first as usize);
+        let before = first - own as u32;
+        let all = body.yielding(of);
+        let one = |&a: &u32| all.get((a - before) as usize).map_or(0.0, |own| own.read(self.of));
+        self.particles.iter().map(one).collect()
     }
 
     fn count_on(&mut self, body: &dyn Body) {

@@ -321,6 +321,10 @@ bounds! {
     GaussPoints: usize, Range::Within(1.0, 4.0), "3 is usual";
     /// Gauss points through a thickness.
     ThroughThickness: usize, Range::Within(2.0, 5.0), "one point carries no bending; leave it out for the closed form";
+    /// Slices through the thickness of a section that yields.
+    Slices: usize, Range::Within(2.0, 100.0), "6 is usual, 10 for springback, 40 for a thousandth";
+    /// Exponent of a law of hardening \[–\].
+    Exponent: f64, Range::Within(0.0, 1.0), "0.1 to 0.3 are usual; 0 is perfect plasticity";
     /// Order of shape functions.
     Order: usize, Range::Within(1.0, 3.0), "orders 1, 2 and 3 exist";
     /// Number of a buckling mode: further ones are expensive, and seldom what a body is bent like.

@@ -94,13 +94,14 @@ impl Take {
             | Measured::TouchingArea
             | Measured::FractureEnergy
             | Measured::FrictionLoss
+            | Measured::PlasticWork
             | Measured::Force
             | Measured::Moment
             | Measured::ReactionMoment
             | Measured::Energy
             | Measured::Flux => Self::Sum,
-            Measured::VonMises | Measured::GreatestDepth => Self::Max,
-            Measured::ContactGap => Self::Min,
+            Measured::VonMises | Measured::GreatestDepth | Measured::PlasticStrain => Self::Max,
+            Measured::ContactGap | Measured::Thickness => Self::Min,
             _ => Self::Mean,
         }
     }
@@ -131,6 +132,13 @@ pub enum Measured {
     TouchingArea,
     /// Energy that friction has taken of a shell \[F L\]: on tools, and one half of what it took where the shell rubs on another or on itself.
     FrictionLoss,
+    /// Equivalent plastic strain of a shell that yields, the greatest through the thickness and of the cells round a particle \[–\]. The largest
+    /// of a set.
+    PlasticStrain,
+    /// Thickness of a shell that yields, the least of the cells round a particle \[L\]. The least of a set.
+    Thickness,
+    /// Energy that plastic flow has dissipated in a shell \[F L\].
+    PlasticWork,
     /// Component of the moment that the supports of a shell exert about a point \[F L\].
     ReactionMoment,
     /// Angle by which the director has turned about the direction, counted on beyond π \[rad\].
@@ -192,6 +200,9 @@ impl Measured {
             Self::GreatestDepth => "greatest-depth",
             Self::TouchingArea => "touching-area",
             Self::FrictionLoss => "friction-loss",
+            Self::PlasticStrain => "plastic-strain",
+            Self::Thickness => "thickness",
+            Self::PlasticWork => "plastic-work",
             Self::ReactionMoment => "reaction-moment",
             Self::VonMises => "von-mises",
             Self::Stress => "stress",
@@ -219,16 +230,22 @@ impl Measured {
     /// What its values are, where nothing is by depth.
     pub fn quantity(self) -> Quantity {
         match self {
-            Self::Displacement | Self::Position | Self::ContactGap | Self::Level | Self::WetLength => {
-                Quantity::Length
-            }
+            Self::Displacement
+            | Self::Position
+            | Self::ContactGap
+            | Self::Thickness
+            | Self::Level
+            | Self::WetLength => Quantity::Length,
             Self::Reaction | Self::ContactForce | Self::Force => Quantity::Force,
             Self::Rotation => Quantity::Angle,
-            Self::Director | Self::Damage | Self::GreatestDepth | Self::Pieces => Quantity::Ratio,
+            Self::Director | Self::Damage | Self::GreatestDepth | Self::PlasticStrain | Self::Pieces => {
+                Quantity::Ratio
+            }
             Self::TouchingArea => Quantity::Area,
             Self::Velocity => Quantity::Speed,
             Self::FractureEnergy
             | Self::FrictionLoss
+            | Self::PlasticWork
             | Self::ContactMoment
             | Self::Moment
             | Self::ReactionMoment
@@ -248,6 +265,9 @@ impl Measured {
             Self::Damage
                 | Self::FractureEnergy
                 | Self::FrictionLoss
+                | Self::PlasticStrain
+                | Self::Thickness
+                | Self::PlasticWork
                 | Self::ContactGap
                 | Self::GreatestDepth
                 | Self::TouchingArea

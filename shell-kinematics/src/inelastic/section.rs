@@ -35,6 +35,11 @@ impl Plastic {
         Self { elastic, hardening, kinematic: 0.0, modes: Modes::von_mises(&elastic) }
     }
 
+    /// What it is as long as nothing flows.
+    pub fn elastic(&self) -> &Isotropic {
+        &self.elastic
+    }
+
     /// The same with linear kinematic hardening beside it: in uniaxial tension the back stress grows by H_k \[F/L²\] a plastic strain.
     ///
     /// # Errors

@@ -81,6 +81,11 @@ impl YieldingControl {
         *self = Self { free, pull: pulls.map(|pull| pull * kept), at: *s, work };
     }
 
+    /// Work done on the control until the last commit \[F L\].
+    pub fn work(&self) -> Pack {
+        self.work
+    }
+
     /// All that a commit changes.
     pub fn numbers(&self) -> [Pack; Self::PACKS] {
         let Self { free, pull: [a, b, c, d, e, f], at: [g, h, i, j, k, l], work } = *self;

@@ -29,7 +29,56 @@ pub struct PointResult {
     pub t1: [f64; 3],
 }
 
+/// What a sampling point whose section yields has gone through, as its history was committed last.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Yielded {
+    /// Greatest equivalent plastic strain of its slices \[–\].
+    pub plastic_strain: f64,
+    /// Thickness over thickness at rest \[–\].
+    pub thickness: f64,
+    /// Share of the thickness that has ever flowed \[–\].
+    pub share: f64,
+    /// Work dissipated a reference area \[F/L\].
+    pub dissipated: f64,
+    /// Work stored by hardening a reference area, by convention \[F/L\].
+    pub hardened: f64,
+    /// Work done on the control of zero-energy modes of the cell \[F L\].
+    pub control: f64,
+    /// Area at rest \[L²\].
+    pub area: f64,
+}
+
 impl Shell {
+    /// What each sampling point has gone through, in the order of the reference's `operator.points`; empty where no section yields.
+    pub fn yielded(&self) -> Vec<Yielded> {
+        let histories = self.points.sections.histories();
+        let points = &self.reference.operator.points;
+        if histories.first().is_none_or(|pack| pack.section.tallies().is_none()) {
+            return Vec::new();
+        }
+        let mut out = vec![Yielded::default(); points.len()];
+        for (pack, of) in histories.iter().zip(&self.points.packs.order) {
+            let Some(tallies) = pack.section.tallies() else { continue };
+            let found = [
+                tallies.plastic_strain(),
+                tallies.thickness(),
+                tallies.yielded_share(),
+                tallies.dissipated(),
+                tallies.hardened(),
+                pack.control.work(),
+            ]
+            .map(Pack::lanes);
+            for (lane, &point) in of.iter().enumerate() {
+                let [plastic_strain, thickness, share, dissipated, hardened, control] =
+                    found.map(|of| of[lane]);
+                let area = points[point as usize].weight;
+                out[point as usize] =
+                    Yielded { plastic_strain, thickness, share, dissipated, hardened, control, area };
+            }
+        }
+        out
+    }
+
     /// The section of four points.
     pub(crate) fn section_of<'a>(&'a self, point: &Point<'a>) -> &'a dyn Section {
         point.section.unwrap_or(&*self.material.section)

@@ -18,7 +18,7 @@ use crate::bodies::fluid::escaped::{Sides, lost};
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::{fields, figures};
 use crate::bodies::together::{Parts, kept_between, take_up_between};
-use crate::bodies::{ContactNow, FieldRequest, FieldSource, Outline, With};
+use crate::bodies::{ContactNow, FieldRequest, FieldSource, Outline, With, Yielding};
 use crate::scene::Measured;
 
 /// A structure that a fluid wets, as the application asks of it.
@@ -165,6 +165,12 @@ impl Body for Coupled {
     fn nodal_contact(&self, body: usize) -> Vec<NodalContact> {
         let Some((number, range)) = self.structure_of(body) else { return Vec::new() };
         self.clocks.nodal_contact(&self.layout.contacts, number, range.len())
+    }
+
+    fn yielding(&self, body: usize) -> Vec<Yielding> {
+        let structure =
+            self.structure_of(body).and_then(|(number, _)| self.clocks.each().get(number).copied());
+        structure.map_or_else(Vec::new, |part| part.yielding(0))
     }
 
     fn gaps(&self, body: usize, particles: &[u32]) -> Vec<f64> {

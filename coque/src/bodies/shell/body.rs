@@ -12,10 +12,11 @@ use super::contacts::contacts;
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
 use super::warnings::{among_preloaded_modes, between_lines};
+use super::yielding::yielding;
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray, StaticBody};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{ContactFields, ContactNow, FieldRequest, FieldSource, Outline, Resultant};
+use crate::bodies::{ContactFields, ContactNow, FieldRequest, FieldSource, Outline, Resultant, Yielding};
 use crate::scene::Measured;
 
 /// What a checkpoint calls the lists of a shell that touches itself.
@@ -67,6 +68,10 @@ impl Body for Shell {
 
     fn nodal_contact(&self, _body: usize) -> Vec<NodalContact> {
         if self.may_touch() { Shell::nodal_contact(self) } else { vec![NodalContact::default(); self.len()] }
+    }
+
+    fn yielding(&self, _body: usize) -> Vec<Yielding> {
+        yielding(self)
     }
 
     fn gaps(&self, _body: usize, particles: &[u32]) -> Vec<f64> {
@@ -170,6 +175,10 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
 
     fn nodal_contact(&self, body: usize) -> Vec<NodalContact> {
         Body::nodal_contact(self.shell(), body)
+    }
+
+    fn yielding(&self, body: usize) -> Vec<Yielding> {
+        self.shell().yielding(body)
     }
 
     fn gaps(&self, body: usize, particles: &[u32]) -> Vec<f64> {

@@ -86,16 +86,28 @@ fn lists(
 ) -> (Vec<String>, Vec<String>) {
     let mut modelled = vec![
         format!("one director a particle, finite rotations, {}", scene.shell.formulation.describe()),
-        format!("strains: Green-Lagrange membrane, {} curvature, shear", scene.shell.formulation.curvature()),
+        match scene.shell.curvature() {
+            "logarithmic" => "strains: logarithmic membrane, curvature per present length, shear".into(),
+            curvature => format!("strains: Green-Lagrange membrane, {curvature} curvature, shear"),
+        },
     ];
     modelled.extend(surface.map(|surface| surface.line.clone()));
-    let mut left_out: Vec<String> =
-        ["plasticity", "fracture", "change of thickness"].map(String::from).into();
+    let mut left_out: Vec<String> = match scene.shell.material.yields() {
+        true => vec!["fracture".into()],
+        false => ["plasticity", "fracture", "change of thickness"].map(String::from).into(),
+    };
     if scene.scene.contact.is_empty() {
         let contact = if scene.shell.tools.is_empty() { "contact" } else { "contact with itself" };
         left_out.insert(1, contact.into());
     }
     match &scene.shell.section {
+        Section::Homogeneous(section) if scene.shell.material.yields() => {
+            modelled.push(format!(
+                "elasticity that yields by von Mises, {} slices through the thickness",
+                section.slices()
+            ));
+            modelled.push("thickness that follows plastic flow".into());
+        }
         Section::Homogeneous(section) => modelled.push(match section.gauss_points {
             None => "isotropic elasticity, integrated through the thickness in closed form".into(),
             Some(points) => format!("isotropic elasticity, {points} Gauss points through the thickness"),

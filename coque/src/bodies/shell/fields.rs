@@ -7,7 +7,7 @@ use std::io;
 use contact::Grip;
 use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use sph_core::{Cell, Vec3};
-use sph_shell::{Formulation, PointResult, Shell};
+use sph_shell::{Formulation, PointResult, Shell, Yielded};
 
 use super::indicator::indicator;
 use super::linear_forces::LinearForces;
@@ -44,7 +44,8 @@ pub(crate) fn fields<'a>(
             results
         })
     });
-    Box::new(Content { shell, shown: *shown, forces, results, reactions, nodal })
+    let yielded = shell.yielded();
+    Box::new(Content { shell, shown: *shown, forces, results, reactions, nodal, yielded })
 }
 
 /// What is written of one frame.
@@ -59,6 +60,8 @@ struct Content<'a> {
     reactions: Option<Vec<Vec3>>,
     /// What each particle feels of contact; nothing where that is not asked for.
     nodal: ContactFields,
+    /// What each cell has gone through; nothing where no section yields.
+    yielded: Vec<Yielded>,
 }
 
 impl FieldSource for Content<'_> {
@@ -93,6 +96,7 @@ impl Content<'_> {
         to.geometry(&points, Connectivity { count: self.cells(), cell: &cell })?;
         self.particles(to)?;
         self.indicator(to)?;
+        self.yielding(to)?;
         self.stresses(to)
     }
 
@@ -139,15 +143,16 @@ impl Content<'_> {
     /// Thickness and height over the particle at each particle, means over its cells \[L, L\].
     fn of_particles(&self) -> Vec<[f64; 2]> {
         let shell = self.shell;
-        if !shell.has_regions() {
+        if !shell.has_regions() && self.yielded.is_empty() {
             return vec![[shell.thickness(), 0.0]; shell.len()];
         }
         let mut sums = vec![[0.0; 3]; shell.len()];
         for (c, cell) in shell.reference().cloud.cells.iter().enumerate() {
             let section = shell.section_at(c);
+            let thickness = section.thickness * self.yielded.get(c).map_or(1.0, |own| own.thickness);
             for &a in cell.particles() {
                 let own = &mut sums[a as usize];
-                *own = [own[0] + section.thickness, own[1] + section.height, own[2] + 1.0];
+                *own = [own[0] + thickness, own[1] + section.height, own[2] + 1.0];
             }
         }
         sums.into_iter().map(|[thickness, height, cells]| [thickness / cells, height / cells]).collect()
@@ -243,6 +248,23 @@ impl Content<'_> {
         let found = indicator(self.shell, results);
         let all = rows(found.len(), |i| [found[i] as f32]);
         self.put(to, At::Cells, "error_indicator", Quantity::Ratio, &[], Values::Single(&all))
+    }
+
+    /// What the sampling points have gone through, where the section yields.
+    fn yielding(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
+        if self.yielded.is_empty() || !self.forces {
+            return Ok(());
+        }
+        let fields: [(&str, Quantity, fn(&Yielded) -> f64); 3] = [
+            ("plastic_strain", Quantity::Ratio, |own| own.plastic_strain),
+            ("yielded_share", Quantity::Ratio, |own| own.share),
+            ("dissipated", Quantity::ForcePerLength, |own| own.dissipated),
+        ];
+        for (name, quantity, number) in fields {
+            let all = rows(self.yielded.len(), |i| [number(&self.yielded[i]) as f32]);
+            self.put(to, At::Cells, name, quantity, &[], Values::Single(&all))?;
+        }
+        Ok(())
     }
 
     fn stresses(&self, to: &mut dyn FieldWriter) -> io::Result<()> {

@@ -1,8 +1,8 @@
 //! From a scene to what the particles are made of and how they are sampled: section, axes, strain measure, formulation.
 
 use shell_kinematics::{
-    IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic, Ply, Section,
-    StrainMeasure,
+    Hardening, IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic,
+    Plastic, PlasticSection, Ply, Section, StrainMeasure,
 };
 use sph_core::{CubicSpline, Vec3};
 use sph_shell::{Formulation, Reach};
@@ -20,6 +20,8 @@ pub(super) enum SectionSpec {
     Isotropic(Isotropic, f64, Option<usize>),
     /// Plies.
     Layered(Vec<Ply>),
+    /// One material that yields, through a thickness \[L\] in so many slices.
+    Plastic(Plastic, f64, usize),
 }
 
 impl SectionSpec {
@@ -38,14 +40,18 @@ impl SectionSpec {
     /// Thickness \[L\].
     pub fn thickness(&self) -> f64 {
         match self {
-            Self::Isotropic(_, thickness, _) => *thickness,
+            Self::Isotropic(_, thickness, _) | Self::Plastic(_, thickness, _) => *thickness,
             Self::Layered(plies) => plies.iter().map(|ply| ply.thickness).sum(),
         }
     }
 
     /// Young's modulus \[F/L²\] of one that is isotropic.
     pub fn young(&self) -> Option<f64> {
-        if let Self::Isotropic(material, ..) = self { Some(material.young) } else { None }
+        match self {
+            Self::Isotropic(material, ..) => Some(material.young),
+            Self::Plastic(material, ..) => Some(material.elastic().young),
+            Self::Layered(_) => None,
+        }
     }
 
     /// The section, of numbers that have been checked.
@@ -61,8 +67,30 @@ impl SectionSpec {
                 Box::new(IntegratedSection::new(*material, *thickness, *points)?)
             }
             Self::Layered(plies) => Box::new(LayeredSection::new(plies)?),
+            Self::Plastic(material, thickness, slices) => {
+                Box::new(PlasticSection::new(material.clone(), *thickness, *slices)?)
+            }
         })
     }
+}
+
+/// A material that yields.
+///
+/// # Errors
+/// [`MaterialError`] for numbers out of bounds.
+pub(crate) fn plastic(given: &scene::Plastic) -> Result<Plastic, MaterialError> {
+    let elastic = Isotropic::new(given.young.get(), given.poisson)?;
+    let hardening = match &given.hardening {
+        scene::Hardening::Linear(own) => Hardening::linear(own.yield_stress.get(), own.slope.get())?,
+        scene::Hardening::Voce(own) => {
+            Hardening::voce(own.yield_stress.get(), own.rise.get(), own.rate.get())?
+        }
+        scene::Hardening::Swift(own) => {
+            Hardening::swift(own.factor.get(), own.offset.get(), own.exponent.get())?
+        }
+        scene::Hardening::Table(rows) => Hardening::table(rows)?,
+    };
+    Plastic::new(elastic, hardening).kinematic(given.kinematic.get())
 }
 
 impl Builder<'_> {
@@ -77,6 +105,12 @@ impl Builder<'_> {
                 let points = section.gauss_points.as_deref().copied();
                 SectionSpec::isotropic(moduli, section.thickness.get(), points)
                     .map_err(refuse("material.elastic"))
+            }
+            MaterialSection::Plastic(material, section) => {
+                let path = s.path(&format!("material.plastic.hardening.{}", material.hardening.word()));
+                let yielding =
+                    plastic(material).map_err(|e| model_error(self.scene.source, &path, &e.to_string()))?;
+                Ok(SectionSpec::Plastic(yielding, section.thickness.get(), section.slices()))
             }
             MaterialSection::Layered(m, section) => {
                 let across = m.shear_across.unwrap_or(m.shear);
@@ -99,7 +133,7 @@ impl Builder<'_> {
     /// The section made of it.
     pub(super) fn section(&self, spec: &SectionSpec, s: &Scope<'_>) -> Result<Box<dyn Section>, SceneError> {
         let path = match spec {
-            SectionSpec::Isotropic(..) => "section.homogeneous",
+            SectionSpec::Isotropic(..) | SectionSpec::Plastic(..) => "section.homogeneous",
             SectionSpec::Layered(_) => "section.layered",
         };
         spec.try_section().map_err(|e| model_error(self.scene.source, &s.path(path), &e.to_string()))
@@ -119,7 +153,7 @@ impl Builder<'_> {
         shell: &scene::ShellScene,
         s: &Scope<'_>,
     ) -> Result<&'static dyn StrainMeasure, SceneError> {
-        let name = shell.formulation.curvature();
+        let name = shell.curvature();
         let path = s.path(&format!("formulation.{}.curvature", shell.formulation.word()));
         let unknown =
             || model_error(self.scene.source, &path, &format!("no strain measure is called {name}"));

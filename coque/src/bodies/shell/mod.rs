@@ -25,3 +25,4 @@ mod start;
 mod thickness;
 pub(super) mod tools;
 pub(crate) mod warnings;
+mod yielding;

@@ -12,7 +12,7 @@ use super::parts::Parts;
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, Mismatch, StateArray};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{ContactNow, FieldRequest, FieldSource, Outline};
+use crate::bodies::{ContactNow, FieldRequest, FieldSource, Outline, Yielding};
 use crate::scene::Measured;
 
 /// Bodies that are solved together, with their places one behind the other.
@@ -76,6 +76,10 @@ impl<S: Parts> Body for Together<S> {
     fn nodal_contact(&self, body: usize) -> Vec<NodalContact> {
         let particles = self.layout.particles.get(body).map_or(0, Range::len);
         self.system.nodal_contact(&self.layout.contacts, body, particles)
+    }
+
+    fn yielding(&self, body: usize) -> Vec<Yielding> {
+        self.system.each().get(body).map_or_else(Vec::new, |part| part.yielding(0))
     }
 
     fn gaps(&self, body: usize, particles: &[u32]) -> Vec<f64> {

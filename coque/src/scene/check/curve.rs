@@ -77,13 +77,21 @@ fn check_face_of_stress(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Ve
         let fault = s.fault(&probe.at("face"), "nothing", "given: it has no default", repair);
         return Err(SceneError::Missing(fault));
     }
-    let layered = |shell: &ShellScene| !shell.section.homogeneous();
+    let layered = |shell: &ShellScene| !shell.section.homogeneous() || shell.material.yields();
     let of_shell = |shell: &ShellScene| {
         layered(shell) || (0..shell.parts.len()).any(|part| layered(&shell.in_part(part)))
     };
     if stress && scene.as_shell().is_some_and(of_shell) {
-        let bound = "`membrane-force`, `bending-moment` or `shear-force` on plies";
-        let repair = "measure section forces: stresses differ from ply to ply";
+        let [bound, repair] = match scene.as_shell().is_some_and(|shell| shell.material.yields()) {
+            true => [
+                "`membrane-force`, `bending-moment`, `shear-force` or `plastic-strain` where a material yields",
+                "measure section forces: stresses do not run linearly through the thickness",
+            ],
+            false => [
+                "`membrane-force`, `bending-moment` or `shear-force` on plies",
+                "measure section forces: stresses differ from ply to ply",
+            ],
+        };
         let value = format!("\"{word}\"");
         return Err(SceneError::Choice(s.fault(&probe.at("of"), &value, bound, repair)));
     }
@@ -146,8 +154,8 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
         BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director, Displacement,
         Energy, Flux, Force, FractureEnergy, FrictionLoss, GreatestDepth, Level, MembraneForce, Moment,
-        Pieces, Position, Pressure, Reaction, ReactionMoment, Rotation, ShearForce, StrainEnergy, Stress,
-        TouchingArea, Velocity, VonMises, WetLength,
+        Pieces, PlasticStrain, PlasticWork, Position, Pressure, Reaction, ReactionMoment, Rotation,
+        ShearForce, StrainEnergy, Stress, Thickness, TouchingArea, Velocity, VonMises, WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
@@ -182,6 +190,9 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     let rubbed = scene.body.tools().iter().any(ToolScene::is_rough);
     if rubbed || scene.scene.contact.iter().any(rubs) {
         known.push(FrictionLoss);
+    }
+    if scene.as_shell().is_some_and(|shell| shell.material.yields()) {
+        known.extend([PlasticStrain, Thickness, PlasticWork]);
     }
     if solid.is_some() {
         known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);

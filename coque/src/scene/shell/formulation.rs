@@ -28,9 +28,8 @@ pub struct StressPoint {
     pub support: Reach,
     /// Kernel; only with a reach in numbers.
     pub kernel: Option<String>,
-    /// Measure of the curvature.
-    #[serde(default = "stretch_corrected")]
-    pub curvature: String,
+    /// Measure of the curvature: `stretch-corrected`, of a material that yields `logarithmic`.
+    pub curvature: Option<String>,
 }
 
 /// How far the kernel of a stress point reaches.
@@ -83,7 +82,7 @@ pub struct StrongForm {
 
 impl Default for Formulation {
     fn default() -> Self {
-        Self::StressPoint(StressPoint { support: Reach::Cell, kernel: None, curvature: stretch_corrected() })
+        Self::StressPoint(StressPoint { support: Reach::Cell, kernel: None, curvature: None })
     }
 }
 
@@ -97,12 +96,12 @@ impl Formulation {
         }
     }
 
-    /// Name of the curvature measure.
-    pub fn curvature(&self) -> &str {
+    /// Name of the curvature measure, where it does not depend on the material.
+    pub fn curvature(&self) -> Option<&str> {
         match self {
-            Self::StressPoint(f) => &f.curvature,
-            Self::Nodal(f) => &f.curvature,
-            Self::StrongForm(f) => f.curvature(),
+            Self::StressPoint(f) => f.curvature.as_deref(),
+            Self::Nodal(f) => Some(&f.curvature),
+            Self::StrongForm(f) => Some(f.curvature()),
         }
     }
 
@@ -166,7 +165,7 @@ impl StrongForm {
 }
 
 const CUBIC_SPLINE: &str = "cubic-spline";
-const STRETCH_CORRECTED: &str = "stretch-corrected";
+pub(super) const STRETCH_CORRECTED: &str = "stretch-corrected";
 
 fn cubic_spline() -> String {
     CUBIC_SPLINE.into()

@@ -3,7 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::bounded::{PlyAngle, Positive, ThroughThickness};
+use crate::scene::bounded::{PlyAngle, Positive, Slices, ThroughThickness};
+use crate::scene::shell::plastic::Plastic;
 
 /// Materials.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -13,6 +14,8 @@ pub enum Material {
     Elastic(Elastic),
     /// Orthotropic linear elasticity of plies, in plane stress.
     Orthotropic(Orthotropic),
+    /// Isotropic elasticity that yields by von Mises' criterion.
+    Plastic(Plastic),
     /// The materials that the file of the mesh gives with its sections.
     File(OfFile),
 }
@@ -28,8 +31,14 @@ impl Material {
         match self {
             Self::Elastic(_) => "elastic",
             Self::Orthotropic(_) => "orthotropic",
+            Self::Plastic(_) => "plastic",
             Self::File(_) => "file",
         }
+    }
+
+    /// Whether it yields.
+    pub(crate) fn yields(&self) -> bool {
+        matches!(self, Self::Plastic(_))
     }
 
     /// Mass per volume \[F T²/L⁴\], where the scene gives it.
@@ -37,6 +46,7 @@ impl Material {
         match self {
             Self::Elastic(material) => Some(material.density.get()),
             Self::Orthotropic(material) => Some(material.density.get()),
+            Self::Plastic(material) => Some(material.density.get()),
             Self::File(_) => None,
         }
     }
@@ -111,6 +121,8 @@ pub struct Homogeneous {
     pub thickness: Positive,
     /// Gauss points through the thickness; closed form without.
     pub gauss_points: Option<ThroughThickness>,
+    /// Slices through the thickness of a material that yields; six without.
+    pub slices: Option<Slices>,
     /// How the thickness goes with the place; the same everywhere without.
     pub taper: Option<Taper>,
     /// Thickness from a table, in units of `thickness`; in place of a taper.
@@ -121,6 +133,11 @@ pub struct Homogeneous {
 }
 
 impl Homogeneous {
+    /// Slices through the thickness of a material that yields.
+    pub fn slices(&self) -> usize {
+        self.slices.map_or(6, |slices| slices.get())
+    }
+
     /// Whether the thickness differs from cell to cell.
     pub(crate) fn varies(&self) -> bool {
         self.taper.is_some() || self.table.is_some() || self.values.is_some()
@@ -173,6 +190,7 @@ pub struct Ply {
 /// A material with a section that suits it.
 pub(crate) enum MaterialSection<'a> {
     Homogeneous(&'a Elastic, &'a Homogeneous),
+    Plastic(&'a Plastic, &'a Homogeneous),
     Layered(&'a Orthotropic, &'a Layered),
     /// One of the two, or both, as the file gives them.
     OfFile(Option<&'a Elastic>, Option<&'a Homogeneous>),

@@ -6,12 +6,13 @@ pub(crate) mod initial_stress;
 pub(crate) mod material;
 pub(crate) mod mesh;
 pub(crate) mod parts;
+pub(crate) mod plastic;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 use sph_shell::WetFaces;
 
-use formulation::Formulation;
+use formulation::{Formulation, STRETCH_CORRECTED};
 use geometry::{Geometry, Orientation, Placed};
 use initial_stress::InitialStress;
 use material::{Material, Section};
@@ -65,6 +66,12 @@ pub struct ShellScene {
 }
 
 impl ShellScene {
+    /// Name of the strain measure: as the method says, else what the material wants.
+    pub fn curvature(&self) -> &str {
+        let usual = if self.material.yields() { "logarithmic" } else { STRETCH_CORRECTED };
+        self.formulation.curvature().unwrap_or(usual)
+    }
+
     /// Whether a fluid wets both of its faces.
     pub(crate) fn wets_both(&self) -> bool {
         self.wet.unwrap_or_default() == WetFaces::Both

@@ -24,7 +24,9 @@ pub(super) fn check_formulation(formulation: &Formulation, s: &Scope<'_>) -> Ver
         Formulation::Nodal(_) | Formulation::StrongForm(_) => {}
     }
     let measures = shell_kinematics::strain_measures().map(|m| m.name());
-    s.word(&at("curvature"), formulation.curvature(), &measures)?;
+    if let Some(curvature) = formulation.curvature() {
+        s.word(&at("curvature"), curvature, &measures)?;
+    }
     if let Some(kernel) = formulation.kernel() {
         s.word(&at("kernel"), kernel, &sph_core::kernels().map(|k| k.name()))?;
     }

@@ -22,11 +22,18 @@ impl Homogeneous {
     }
 }
 
+/// Poisson's ratio of an isotropic material.
+pub(super) fn check_poisson(path: &str, poisson: f64, s: &Scope<'_>) -> Verdict {
+    let repair = "ν = 0.5 is incompressible and has no plane-stress limit here; most solids have 0.2 to 0.4";
+    s.between(path, poisson, [-1.0, 0.5], repair)
+}
+
 impl ShellScene {
     pub(super) fn check_material(&self, s: &Scope<'_>) -> Verdict {
         match &self.material {
             Material::Elastic(elastic) => self.check_elastic(elastic, s)?,
             Material::Orthotropic(orthotropic) => self.check_orthotropic(orthotropic, s)?,
+            Material::Plastic(plastic) => self.check_plastic_material(plastic, s)?,
             Material::File(_) => self.check_of_file("material.file", s)?,
         }
         self.check_section(s)?;
@@ -49,9 +56,7 @@ impl ShellScene {
             let repair = "remove it, or give [section.homogeneous]";
             return Err(SceneError::Choice(s.fault("material.elastic.young-values", value, bound, repair)));
         }
-        let repair =
-            "ν = 0.5 is incompressible and has no plane-stress limit here; most solids have 0.2 to 0.4";
-        s.between("material.elastic.poisson", elastic.poisson, [-1.0, 0.5], repair)
+        check_poisson("material.elastic.poisson", elastic.poisson, s)
     }
 
     fn check_orthotropic(&self, material: &Orthotropic, s: &Scope<'_>) -> Verdict {
@@ -67,6 +72,12 @@ impl ShellScene {
         let (path, value) = match &self.section {
             Section::Homogeneous(section) => {
                 section.check_one_course(s)?;
+                if section.slices.is_some() && !self.material.yields() {
+                    let bound = "none of a material that does not yield";
+                    let repair = "remove it, or give [material.plastic]";
+                    let fault = s.fault("section.homogeneous.slices", "slices", bound, repair);
+                    return Err(SceneError::Choice(fault));
+                }
                 if let Some(taper) = &section.taper {
                     s.sized_all("section.homogeneous.taper.point", &taper.point)?;
                     s.direction("section.homogeneous.taper.gradient", taper.gradient)?;
@@ -117,6 +128,9 @@ impl ShellScene {
             (Material::Orthotropic(material), Section::Layered(section)) => {
                 return Ok(MaterialSection::Layered(material, section));
             }
+            (Material::Plastic(material), Section::Homogeneous(section)) => {
+                return Ok(MaterialSection::Plastic(material, section));
+            }
             (Material::File(_), Section::File(_)) => return Ok(MaterialSection::OfFile(None, None)),
             (Material::Elastic(material), Section::File(_)) => {
                 return Ok(MaterialSection::OfFile(Some(material), None));
@@ -124,6 +138,12 @@ impl ShellScene {
             (Material::File(_), Section::Homogeneous(section)) => {
                 return Ok(MaterialSection::OfFile(None, Some(section)));
             }
+            (Material::Plastic(_), Section::File(_) | Section::Layered(_)) => (
+                "material.plastic",
+                "a material that yields",
+                "none but with [section.homogeneous]",
+                "give [section.homogeneous] with the thickness".into(),
+            ),
             (Material::Orthotropic(_), Section::File(_)) => (
                 "section.file",
                 "no direction to the fibre of [material.orthotropic]",

@@ -5,6 +5,7 @@ mod initial_stress;
 mod material;
 mod parts;
 mod placed;
+mod plastic;
 mod rigid;
 
 use crate::scene::bounded::Polar;

@@ -1,6 +1,7 @@
 //! Checks of parts: what each has of its own, and whether strains are sampled in cells.
 
 use super::initial_stress::check_initial_stress;
+use super::plastic::check_plastic;
 use super::rigid::check_rigid;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::sets::check_set_name;
@@ -29,7 +30,7 @@ impl ShellScene {
     }
 
     /// Key of what makes sections differ, of the first.
-    fn key_of_parts(&self) -> &'static str {
+    pub(super) fn key_of_parts(&self) -> &'static str {
         if !self.parts.is_empty() {
             "parts[0]"
         } else if self.takes_from_file() {
@@ -53,7 +54,7 @@ impl ShellScene {
             own.section = part.section.clone().unwrap_or(own.section);
             let curvature = part.formulation.as_ref().and_then(|formulation| formulation.curvature());
             if let (Formulation::StressPoint(points), Some(curvature)) = (&mut own.formulation, curvature) {
-                points.curvature = curvature.into();
+                points.curvature = Some(curvature.into());
             }
         }
         own.parts = Vec::new();
@@ -88,6 +89,7 @@ pub(in crate::scene::check) fn check_parts(
     check_ties(scene, shell, s)?;
     check_rigid(scene, shell, s)?;
     check_initial_stress(scene, shell, s)?;
+    check_plastic(scene, shell, s)?;
     if !shell.has_parts() {
         return Ok(());
     }

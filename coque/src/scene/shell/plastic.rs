@@ -1,0 +1,84 @@
+//! A material that yields, as a scene says it.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::bounded::{Exponent, NotNegative, Positive};
+
+/// Isotropic elasticity that yields by von Mises' criterion and flows along its normal.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Plastic {
+    /// Young's modulus \[F/L²\].
+    pub young: Positive,
+    /// Poisson's ratio \[–\].
+    pub poisson: f64,
+    /// Mass per volume \[F T²/L⁴\].
+    pub density: Positive,
+    /// How the yield stress grows with the equivalent plastic strain.
+    pub hardening: Hardening,
+    /// Modulus of linear kinematic hardening, by which the back stress grows a plastic strain in uniaxial tension \[F/L²\]; none without.
+    #[serde(default)]
+    pub kinematic: NotNegative,
+}
+
+/// The yield stress K as a function of the equivalent plastic strain α.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum Hardening {
+    /// `K = yield-stress + slope α`.
+    Linear(Linear),
+    /// `K = yield-stress + rise (1 − e^(−rate α))`, Voce's saturation.
+    Voce(Voce),
+    /// `K = factor (offset + α)^exponent`, Swift's power law.
+    Swift(Swift),
+    /// Rows of equivalent plastic strain and yield stress, joined by lines: `[[0, 248], [0.1, 320]]`. The last slope is kept.
+    Table(Vec<[f64; 2]>),
+}
+
+/// Linear hardening.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Linear {
+    /// Yield stress where nothing has flowed \[F/L²\].
+    pub yield_stress: Positive,
+    /// Slope \[F/L²\]; zero, perfect plasticity, without.
+    #[serde(default)]
+    pub slope: NotNegative,
+}
+
+/// Voce's hardening.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Voce {
+    /// Yield stress where nothing has flowed \[F/L²\].
+    pub yield_stress: Positive,
+    /// By how much it rises in all \[F/L²\].
+    pub rise: NotNegative,
+    /// How fast, by a unit of plastic strain \[–\].
+    pub rate: Positive,
+}
+
+/// Swift's hardening.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Swift {
+    /// Yield stress at `offset + α = 1` \[F/L²\].
+    pub factor: Positive,
+    /// Strain from which the power counts \[–\].
+    pub offset: Positive,
+    /// Exponent \[–\].
+    pub exponent: Exponent,
+}
+
+impl Hardening {
+    /// Word of the scene.
+    pub(crate) fn word(&self) -> &'static str {
+        match self {
+            Self::Linear(_) => "linear",
+            Self::Voce(_) => "voce",
+            Self::Swift(_) => "swift",
+            Self::Table(_) => "table",
+        }
+    }
+}
