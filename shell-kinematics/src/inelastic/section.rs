@@ -2,6 +2,7 @@
 
 use super::functions::above_zero;
 use super::hardening::{Hardening, not_negative};
+use super::hill::RValues;
 use super::modes::Modes;
 use super::return_map::PointLaw;
 use super::slices::{Slice, slices};
@@ -20,7 +21,7 @@ pub(super) const OF_SECTION: usize = thickness::NUMBERS + 1;
 /// The least share ψ of a section that counts as not flowing.
 const LEAST_FREE: f64 = 0.02;
 
-/// Isotropic elasticity with von Mises' yield criterion and associated flow.
+/// Isotropic elasticity with von Mises' yield criterion or Hill's, and associated flow.
 #[derive(Clone, Debug)]
 pub struct Plastic {
     elastic: Isotropic,
@@ -30,7 +31,7 @@ pub struct Plastic {
 }
 
 impl Plastic {
-    /// Isotropic hardening alone.
+    /// Von Mises' criterion with isotropic hardening alone.
     pub fn new(elastic: Isotropic, hardening: Hardening) -> Self {
         Self { elastic, hardening, kinematic: 0.0, modes: Modes::von_mises(&elastic) }
     }
@@ -41,6 +42,11 @@ impl Plastic {
     /// [`MaterialError::Constant`] unless H_k is zero or positive, and finite.
     pub fn kinematic(self, modulus: f64) -> Result<Self, MaterialError> {
         Ok(Self { kinematic: not_negative("the modulus of kinematic hardening", modulus)?, ..self })
+    }
+
+    /// The same with Hill's criterion in place of von Mises', in the axes of its ply.
+    pub fn anisotropic(self, r: RValues) -> Self {
+        Self { modes: Modes::hill(&self.elastic, &r), ..self }
     }
 }
 
@@ -115,6 +121,7 @@ impl PlasticSection {
                 return Err(MaterialError::Constant { what, value, bound: "at least 2" });
             }
             let Plastic { elastic, hardening, kinematic, modes } = ply.material.clone();
+            let modes = modes.turned(ply.angle);
             let trace = modes.of_strains(&[1.0, 1.0, 0.0]);
             let by = |factor: f64| trace.map(|t| -t * factor / elastic.young);
             layers.push(Layer {
