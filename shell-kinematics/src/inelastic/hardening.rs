@@ -178,10 +178,12 @@ impl Hardening {
             }
             Curve::Table { bends, .. } => {
                 let zero = alpha.all(0.0);
-                bends.iter().fold(zero, |sum, bend| {
+                let mut sum = zero;
+                for bend in bends {
                     let beyond = (alpha - alpha.all(bend.strain)).max(zero);
-                    sum + beyond * beyond * (0.5 * bend.change)
-                })
+                    sum += beyond * beyond * (0.5 * bend.change);
+                }
+                sum
             }
         }
     }
