@@ -9,7 +9,7 @@ use crate::strains::{Resultants, Strains};
 use crate::tangent::Matrix8;
 
 /// Gauss–Legendre abscissae and weights on (−1, 1) for 2 to 5 points.
-const GAUSS: [&[(f64, f64)]; 4] = [
+pub(crate) const GAUSS: [&[(f64, f64)]; 4] = [
     &[(-0.577_350_269_189_625_8, 1.0), (0.577_350_269_189_625_8, 1.0)],
     &[
         (-0.774_596_669_241_483_4, 0.555_555_555_555_555_6),

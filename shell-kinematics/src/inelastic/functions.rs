@@ -29,10 +29,20 @@ const EXPONENTIAL: [f64; 12] = [
     1.0 / 2.0,
 ];
 
+/// Three components, one after the other: the functions of arrays are compiled apart from the registers of a sweep.
+#[inline(always)]
+pub(super) fn three<T>(component: impl Fn(usize) -> T) -> [T; 3] {
+    [component(0), component(1), component(2)]
+}
+
 /// `c₀xⁿ + c₁xⁿ⁻¹ + … + cₙ`.
 #[inline(always)]
 pub(super) fn polynomial<P: Number>(x: P, coefficients: &[f64]) -> P {
-    coefficients.iter().fold(x.all(0.0), |sum, coefficient| sum * x + x.all(*coefficient))
+    let mut sum = x.all(0.0);
+    for coefficient in coefficients {
+        sum = sum * x + x.all(*coefficient);
+    }
+    sum
 }
 
 /// eˣ, to two units in the last place between −700 and 700 and constant beyond.

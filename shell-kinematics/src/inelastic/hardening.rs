@@ -32,7 +32,8 @@ pub(super) struct Yield<P> {
     pub slope: P,
 }
 
-fn positive(what: &'static str, value: f64) -> Result<f64, MaterialError> {
+/// A number that is positive and finite.
+pub(super) fn positive(what: &'static str, value: f64) -> Result<f64, MaterialError> {
     let ok = value > 0.0 && value.is_finite();
     if ok { Ok(value) } else { Err(MaterialError::Constant { what, value, bound: "positive and finite" }) }
 }
@@ -177,10 +178,12 @@ impl Hardening {
             }
             Curve::Table { bends, .. } => {
                 let zero = alpha.all(0.0);
-                bends.iter().fold(zero, |sum, bend| {
+                let mut sum = zero;
+                for bend in bends {
                     let beyond = (alpha - alpha.all(bend.strain)).max(zero);
-                    sum + beyond * beyond * (0.5 * bend.change)
-                })
+                    sum += beyond * beyond * (0.5 * bend.change);
+                }
+                sum
             }
         }
     }

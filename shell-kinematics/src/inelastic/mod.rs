@@ -1,9 +1,12 @@
-//! Sections that yield: plane-stress plasticity at points through the thickness.
+//! Sections that yield, by plane-stress plasticity at points through the thickness, and sections of rubber.
 
 mod functions;
 mod hardening;
+mod hill;
 mod modes;
 mod return_map;
+mod rubber;
+mod rubber_section;
 mod section;
 mod slices;
 mod tallies;
@@ -11,5 +14,8 @@ mod tangent;
 mod thickness;
 
 pub use hardening::Hardening;
+pub use hill::RValues;
+pub use rubber::Rubber;
+pub use rubber_section::RubberSection;
 pub use section::{Plastic, PlasticPly, PlasticSection};
 pub use tallies::Tallies;

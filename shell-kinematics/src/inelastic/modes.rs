@@ -6,6 +6,7 @@
 //! Vᵀ C⁻¹ V = 1     Vᵀ P V = diag p     σ = V x     x = Vᵀ ε of elastic strains ε     f² = Σ p_i x_i²
 //! ```
 
+use super::functions::three;
 use crate::pack::Number;
 use crate::section::Isotropic;
 
@@ -34,12 +35,13 @@ impl Modes {
     #[inline(always)]
     pub fn of_strains<P: Number>(&self, s: &[P; 3]) -> [P; 3] {
         let v = &self.basis;
-        std::array::from_fn(|i| s[0] * v[0][i] + s[1] * v[1][i] + s[2] * v[2][i])
+        three(|i| s[0] * v[0][i] + s[1] * v[1][i] + s[2] * v[2][i])
     }
 
     /// `V x`, stresses 11, 22, 12.
     #[inline(always)]
     pub fn stresses<P: Number>(&self, x: &[P; 3]) -> [P; 3] {
-        self.basis.map(|row| x[0] * row[0] + x[1] * row[1] + x[2] * row[2])
+        let v = &self.basis;
+        three(|i| x[0] * v[i][0] + x[1] * v[i][1] + x[2] * v[i][2])
     }
 }

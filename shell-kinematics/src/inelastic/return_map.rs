@@ -16,7 +16,7 @@
 //!
 //! The first of them starts at γ = 0, three more follow, always: no lane takes a branch. \[simo1998\], §3.4, has the step and its tangent.
 
-use super::functions::above_zero;
+use super::functions::{above_zero, three};
 use super::hardening::{Hardening, Yield};
 use super::modes::Modes;
 use crate::pack::{Number, Pack};
@@ -69,6 +69,36 @@ struct Root<P> {
     beyond: P,
 }
 
+/// f², G and F.
+struct Sums<P> {
+    square: P,
+    own: P,
+    weighted: P,
+}
+
+impl<P: Number> Sums<P> {
+    #[inline(always)]
+    fn at<const N: usize>(terms: &[P; N], rates: &[f64; N], gamma: P, tiny: P) -> Self {
+        let one = gamma.all(1.0);
+        let mut sums = Self { square: tiny, own: tiny, weighted: tiny * rates[0] };
+        for i in 0..N {
+            let share = one / (one + gamma * rates[i]);
+            let term = terms[i] * share * share;
+            sums.square += term;
+            sums.own += term * share;
+            sums.weighted += term * share * rates[i];
+        }
+        sums
+    }
+}
+
+/// Newton's step at f = `size`.
+#[inline(always)]
+fn newton<P: Number>(sums: &Sums<P>, size: P, now: &Yield<P>, r: f64) -> P {
+    (size - now.stress * r) * sums.square
+        / (now.slope * size * sums.own * (2.0 / 3.0) + now.stress * sums.weighted * r)
+}
+
 impl PointLaw {
     /// Hardening of both kinds, H_k the modulus of the kinematic one \[F/L²\].
     pub fn new(modes: &Modes, hardening: Hardening, kinematic: f64) -> Self {
@@ -87,7 +117,7 @@ impl PointLaw {
         if self.kinematic == 0.0 {
             return *stress;
         }
-        std::array::from_fn(|i| stress[i] - plastic[i] * (self.kinematic / self.yielding[i]))
+        three(|i| stress[i] - plastic[i] * (self.kinematic / self.yielding[i]))
     }
 
     /// The step to a strain e from a committed point: e_p and α.
@@ -95,10 +125,11 @@ impl PointLaw {
     pub fn step<P: Number>(&self, strain: &[P; 3], committed: &[P; 4]) -> Point<P> {
         let [p0, p1, p2, alpha] = *committed;
         let plastic = [p0, p1, p2];
-        let stress = std::array::from_fn(|i| strain[i] - plastic[i]);
+        let stress = three(|i| strain[i] - plastic[i]);
         let over = self.over(&stress, &plastic);
         let square = |i: usize| over[i] * over[i] * self.yielding[i];
-        let [a, b, c] = self.yielding.map(|p| p + self.kinematic);
+        let [p, q, s] = self.yielding;
+        let [a, b, c] = [p + self.kinematic, q + self.kinematic, s + self.kinematic];
         let root = if self.pair {
             self.solve(&[square(0), square(1) + square(2)], &[a, b], alpha)
         } else {
@@ -109,11 +140,11 @@ impl PointLaw {
             return Point { stress, plastic, alpha, gamma: zero, over, beyond: zero - zero.all(1.0) };
         };
         let one = alpha.all(1.0);
-        let over = std::array::from_fn(|i| over[i] / (one + gamma * [a, b, c][i]));
-        let flow: [P; 3] = std::array::from_fn(|i| gamma * over[i] * self.yielding[i]);
+        let over = three(|i| over[i] / (one + gamma * [a, b, c][i]));
+        let flow = three(|i| gamma * over[i] * self.yielding[i]);
         Point {
-            stress: std::array::from_fn(|i| stress[i] - flow[i]),
-            plastic: std::array::from_fn(|i| plastic[i] + flow[i]),
+            stress: three(|i| stress[i] - flow[i]),
+            plastic: three(|i| plastic[i] + flow[i]),
             alpha: alpha + gamma * size * self.root,
             gamma,
             over,
@@ -129,42 +160,30 @@ impl PointLaw {
         rates: &[f64; N],
         alpha: P,
     ) -> Option<Root<P>> {
-        let [zero, one] = [0.0, 1.0].map(|value| alpha.all(value));
+        let zero = alpha.all(0.0);
         let r = self.root;
         let start = self.hardening.at(alpha);
         let limit = start.stress * r;
         // Keeps a point without stress from dividing zero by zero; of the size of rounding squared.
         let tiny = limit * limit * 1e-32;
-        let square = terms.iter().fold(tiny, |sum, term| sum + *term);
+        let [mut square, mut weighted] = [tiny, tiny * rates[0]];
+        for i in 0..N {
+            square += terms[i];
+            weighted += terms[i] * rates[i];
+        }
         let size = square.sqrt();
         let beyond = size - limit * (1.0 - ON_THE_SURFACE);
         if beyond.below(0.0) {
             return None;
         }
-        let newton = |size: P, square: P, own: P, weighted: P, now: Yield<P>| {
-            (size - now.stress * r) * square
-                / (now.slope * size * own * (2.0 / 3.0) + now.stress * weighted * r)
-        };
-        let weighted = terms.iter().zip(rates).fold(tiny * rates[0], |sum, (term, rate)| sum + *term * *rate);
-        let mut gamma = newton(size, square, square, weighted, start).max(zero);
-        let sums = |gamma: P| {
-            let [mut square, mut own, mut weighted] = [tiny, tiny, tiny * rates[0]];
-            for (term, rate) in terms.iter().zip(rates) {
-                let share = one / (one + gamma * *rate);
-                let term = *term * share * share;
-                square += term;
-                own += term * share;
-                weighted += term * share * *rate;
-            }
-            [square, own, weighted]
-        };
+        let mut gamma = newton(&Sums { square, own: square, weighted }, size, &start, r).max(zero);
         for _ in 0..STEPS {
-            let [square, own, weighted] = sums(gamma);
-            let size = square.sqrt();
+            let sums = Sums::at(terms, rates, gamma, tiny);
+            let size = sums.square.sqrt();
             let now = self.hardening.at(alpha + gamma * size * r);
-            gamma = (gamma + newton(size, square, own, weighted, now)).max(zero);
+            gamma = (gamma + newton(&sums, size, &now, r)).max(zero);
         }
-        Some(Root { gamma, size: sums(gamma)[0].sqrt(), beyond })
+        Some(Root { gamma, size: Sums::at(terms, rates, gamma, tiny).square.sqrt(), beyond })
     }
 
     /// Work per volume \[F/L²\]: stored elastically, stored by hardening, dissipated.

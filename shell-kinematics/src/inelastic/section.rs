@@ -1,7 +1,8 @@
 //! A section that yields: plies of equal slices, with the plastic strain of each, the thickness and the stretch as memory.
 
-use super::functions::above_zero;
+use super::functions::{above_zero, three};
 use super::hardening::{Hardening, not_negative};
+use super::hill::RValues;
 use super::modes::Modes;
 use super::return_map::PointLaw;
 use super::slices::{Slice, slices};
@@ -20,7 +21,7 @@ pub(super) const OF_SECTION: usize = thickness::NUMBERS + 1;
 /// The least share ψ of a section that counts as not flowing.
 const LEAST_FREE: f64 = 0.02;
 
-/// Isotropic elasticity with von Mises' yield criterion and associated flow.
+/// Isotropic elasticity with von Mises' yield criterion or Hill's, and associated flow.
 #[derive(Clone, Debug)]
 pub struct Plastic {
     elastic: Isotropic,
@@ -30,7 +31,7 @@ pub struct Plastic {
 }
 
 impl Plastic {
-    /// Isotropic hardening alone.
+    /// Von Mises' criterion with isotropic hardening alone.
     pub fn new(elastic: Isotropic, hardening: Hardening) -> Self {
         Self { elastic, hardening, kinematic: 0.0, modes: Modes::von_mises(&elastic) }
     }
@@ -46,6 +47,11 @@ impl Plastic {
     /// [`MaterialError::Constant`] unless H_k is zero or positive, and finite.
     pub fn kinematic(self, modulus: f64) -> Result<Self, MaterialError> {
         Ok(Self { kinematic: not_negative("the modulus of kinematic hardening", modulus)?, ..self })
+    }
+
+    /// The same with Hill's criterion in place of von Mises', in the axes of its ply.
+    pub fn anisotropic(self, r: RValues) -> Self {
+        Self { modes: Modes::hill(&self.elastic, &r), ..self }
     }
 }
 
@@ -91,6 +97,8 @@ pub(super) struct Layer {
 #[derive(Clone, Debug)]
 pub struct PlasticSection {
     pub(super) layers: Vec<Layer>,
+    /// The place of λ₃ − 1 in a history.
+    pub(super) of_section: usize,
     /// (5/6) Σ G t \[F/L\].
     pub(super) shear: f64,
     pub(super) scales: SectionScales,
@@ -120,6 +128,7 @@ impl PlasticSection {
                 return Err(MaterialError::Constant { what, value, bound: "at least 2" });
             }
             let Plastic { elastic, hardening, kinematic, modes } = ply.material.clone();
+            let modes = modes.turned(ply.angle);
             let trace = modes.of_strains(&[1.0, 1.0, 0.0]);
             let by = |factor: f64| trace.map(|t| -t * factor / elastic.young);
             layers.push(Layer {
@@ -132,61 +141,51 @@ impl PlasticSection {
             bottom += ply.thickness;
             first += OF_SLICE * ply.slices;
         }
-        Ok(Self { layers, shear: scales.shear, scales })
-    }
-
-    /// Numbers of a history.
-    pub(super) fn numbers(&self) -> usize {
-        OF_SLICE * self.layers.iter().map(|layer| layer.slices.len()).sum::<usize>() + OF_SECTION
-    }
-
-    /// The place of λ₃ − 1 in a history.
-    pub(super) fn of_section(&self) -> usize {
-        self.numbers() - OF_SECTION
+        Ok(Self { layers, of_section: first, shear: scales.shear, scales })
     }
 
     /// λ₃ and U⁻¹ of a history.
     #[inline(always)]
     pub(super) fn lever<P: Number>(&self, read: impl Fn(usize) -> P) -> Lever<P> {
-        let first = self.of_section();
-        Lever::read(std::array::from_fn(|i| read(first + i)))
+        let first = self.of_section;
+        Lever::read([read(first), read(first + 1), read(first + 2), read(first + 3)])
     }
 
-    /// What a function makes of stresses at the points: their sum and their moment.
+    /// Resultants of the stresses that are met at the points.
     #[inline(always)]
     fn summed<P: Number>(
         &self,
         strains: &Strains<P>,
-        read: impl Fn(usize) -> P,
-        stress: impl Fn(&PointLaw, &[P; 3], &[P; OF_SLICE]) -> [P; 3],
+        lever: &Lever<P>,
+        met: &mut impl Met<P>,
     ) -> Resultants<P> {
-        let lever = self.lever(&read);
         let zero = [strains.shear[0].all(0.0); 3];
         let [mut membrane, mut moment] = [zero; 2];
         for layer in &self.layers {
-            let across = layer.across(strains, &lever);
+            let across = layer.across(strains, lever);
             let [mut force, mut turn] = [zero; 2];
             for (slice, place) in layer.points() {
-                let x = stress(&layer.law, &across.at(slice), &committed(&read, place));
+                let x = met.stress(layer, slice, place, &across.at(slice));
                 for i in 0..3 {
                     force[i] += x[i] * slice.weight;
                     turn[i] += x[i] * (slice.weight * slice.height);
                 }
             }
-            let [force, turn] = [force, turn].map(|x| layer.modes.stresses(&x));
+            let (force, turn) = (layer.modes.stresses(&force), layer.modes.stresses(&turn));
             for i in 0..3 {
                 membrane[i] += force[i];
                 moment[i] += turn[i];
             }
         }
-        let shear = strains.shear.map(|gamma| gamma * self.shear);
+        let shear = [strains.shear[0] * self.shear, strains.shear[1] * self.shear];
         Resultants { membrane, moment: lever.moments(&moment), shear }
     }
 
     /// [`Memory::resultants_from`] in any registers; `read` gives the numbers of the committed history.
     #[inline(always)]
     pub fn resultants_in<P: Number>(&self, strains: &Strains<P>, read: impl Fn(usize) -> P) -> Resultants<P> {
-        self.summed(strains, read, |law, strain, committed| law.step(strain, committed).stress)
+        let lever = self.lever(&read);
+        self.summed(strains, &lever, &mut Flowing { read })
     }
 
     /// [`Memory::energy_from`] in any registers.
@@ -207,7 +206,7 @@ impl PlasticSection {
         work
     }
 
-    /// [`Memory::history_from`] in any registers; `write` takes every number of the new history with its place.
+    /// [`Memory::history_from`] in any registers, with the resultants of the same strains; `write` takes every number of the new history with its place.
     ///
     /// ln λ₃ is the mean over the thickness of `−ν/E (σ11 + σ22) − (εp11 + εp22)`. ψ is the share of the points, each with the square of its height,
     /// that do not flow in this step, at least 0.02.
@@ -217,31 +216,75 @@ impl PlasticSection {
         strains: &Strains<P>,
         read: impl Fn(usize) -> P,
         mut write: impl FnMut(usize, P),
-    ) {
-        let lever = self.lever(&read);
+    ) -> Resultants<P> {
         let zero = strains.shear[0].all(0.0);
-        let (mut log_thickness, mut flowing, mut whole) = (zero, zero, 0.0);
-        for layer in &self.layers {
-            let across = layer.across(strains, &lever);
-            for (slice, place) in layer.points() {
-                let point = layer.law.step(&across.at(slice), &committed(&read, place));
-                for i in 0..3 {
-                    write(place + i, point.plastic[i]);
-                    let thinner =
-                        point.stress[i] * layer.thinning[0][i] + point.plastic[i] * layer.thinning[1][i];
-                    log_thickness += thinner * (slice.weight / self.scales.thickness);
-                }
-                write(place + 3, point.alpha);
-                let share = slice.weight * slice.height * slice.height;
-                flowing += above_zero(point.gamma) * share;
-                whole += share;
-            }
-        }
-        let first = self.of_section();
-        for (i, number) in thickness::numbers(log_thickness, &strains.membrane).into_iter().enumerate() {
-            write(first + i, number);
+        let lever = self.lever(&read);
+        let mut sums = Committing { read, write: &mut write, log_thickness: zero, flowing: zero, whole: 0.0 };
+        let resultants = self.summed(strains, &lever, &mut sums);
+        let Committing { log_thickness, flowing, whole, .. } = sums;
+        let log_thickness = log_thickness * (1.0 / self.scales.thickness);
+        let first = self.of_section;
+        let numbers = thickness::numbers(log_thickness, &strains.membrane);
+        for i in 0..thickness::NUMBERS {
+            write(first + i, numbers[i]);
         }
         write(first + thickness::NUMBERS, (flowing * (1.0 / whole)).min(zero.all(1.0 - LEAST_FREE)));
+        resultants
+    }
+}
+
+/// What is met at a point of a given strain, whose numbers lie at a place of a history.
+trait Met<P> {
+    /// Its stress, in the coordinates of its ply's modes.
+    fn stress(&mut self, layer: &Layer, slice: &Slice, place: usize, strain: &[P; 3]) -> [P; 3];
+}
+
+/// The law.
+struct Flowing<R> {
+    read: R,
+}
+
+impl<P: Number, R: Fn(usize) -> P> Met<P> for Flowing<R> {
+    #[inline(always)]
+    fn stress(&mut self, layer: &Layer, _: &Slice, place: usize, strain: &[P; 3]) -> [P; 3] {
+        layer.law.step(strain, &committed(&self.read, place)).stress
+    }
+}
+
+/// Elasticity, all points as they were committed.
+struct Held<'a>(&'a [Pack]);
+
+impl Met<Pack> for Held<'_> {
+    fn stress(&mut self, _: &Layer, _: &Slice, place: usize, strain: &[Pack; 3]) -> [Pack; 3] {
+        three(|i| strain[i] - self.0[place + i])
+    }
+}
+
+/// The law, whose new numbers are written.
+struct Committing<'a, P, R, W> {
+    read: R,
+    write: &'a mut W,
+    /// `Σ w ln λ₃`.
+    log_thickness: P,
+    /// `Σ w z²` of points that flow, and of all.
+    flowing: P,
+    whole: f64,
+}
+
+impl<P: Number, R: Fn(usize) -> P, W: FnMut(usize, P)> Met<P> for Committing<'_, P, R, W> {
+    #[inline(always)]
+    fn stress(&mut self, layer: &Layer, slice: &Slice, place: usize, strain: &[P; 3]) -> [P; 3] {
+        let point = layer.law.step(strain, &committed(&self.read, place));
+        for i in 0..3 {
+            (self.write)(place + i, point.plastic[i]);
+            let thinner = point.stress[i] * layer.thinning[0][i] + point.plastic[i] * layer.thinning[1][i];
+            self.log_thickness += thinner * slice.weight;
+        }
+        (self.write)(place + 3, point.alpha);
+        let share = slice.weight * slice.height * slice.height;
+        self.flowing += above_zero(point.gamma) * share;
+        self.whole += share;
+        point.stress
     }
 }
 
@@ -255,7 +298,7 @@ pub(super) struct Across<P> {
 impl<P: Number> Across<P> {
     #[inline(always)]
     pub(super) fn at(&self, slice: &Slice) -> [P; 3] {
-        std::array::from_fn(|i| self.middle[i] + self.slope[i] * slice.height)
+        three(|i| self.middle[i] + self.slope[i] * slice.height)
     }
 }
 
@@ -278,12 +321,12 @@ impl Layer {
 /// The numbers of a point in a history.
 #[inline(always)]
 fn committed<P>(read: impl Fn(usize) -> P, place: usize) -> [P; OF_SLICE] {
-    std::array::from_fn(|i| read(place + i))
+    [read(place), read(place + 1), read(place + 2), read(place + 3)]
 }
 
 impl Memory for PlasticSection {
     fn history_len(&self) -> usize {
-        self.numbers()
+        self.of_section + OF_SECTION
     }
 
     fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) {
@@ -295,10 +338,7 @@ impl Memory for PlasticSection {
     }
 
     fn held_resultants(&self, strains: &Strains, committed: &[Pack]) -> Resultants {
-        let elastic = |_: &PointLaw, strain: &[Pack; 3], kept: &[Pack; OF_SLICE]| {
-            std::array::from_fn(|i| strain[i] - kept[i])
-        };
-        self.summed(strains, |i| committed[i], elastic)
+        self.summed(strains, &self.lever(|i| committed[i]), &mut Held(committed))
     }
 
     fn tangent_from(&self, strains: &Strains, committed: &[Pack]) -> Matrix8 {

@@ -21,12 +21,12 @@ impl PlasticSection {
 impl Tallies<'_> {
     /// Present thickness over thickness at rest λ₃ \[–\].
     pub fn thickness(&self) -> Pack {
-        self.history[self.section.of_section()] + Pack::splat(1.0)
+        self.history[self.section.of_section] + Pack::splat(1.0)
     }
 
     /// Share ψ of the points, each weighted by the square of its height, that did not flow in the step committed last: 0.02 to 1 \[–\].
     pub fn free_share(&self) -> Pack {
-        Pack::splat(1.0) - self.history[self.section.of_section() + thickness::NUMBERS]
+        Pack::splat(1.0) - self.history[self.section.of_section + thickness::NUMBERS]
     }
 
     /// Greatest equivalent plastic strain α of the points \[–\].

@@ -89,7 +89,7 @@ pub(super) fn numbers<P: Number>(log_thickness: P, h: &[P; 3]) -> [P; NUMBERS] {
     let one = log_thickness.all(1.0);
     let [mean, half, shear] = [(h[0] + h[1]) * 0.5, (h[0] - h[1]) * 0.5, h[2] * 0.5];
     let q = (half * half + shear * shear) * (1.0 / 16.0);
-    let [mut rise, mut ratio] = HYPERBOLIC.map(|series| polynomial(q, &series));
+    let [mut rise, mut ratio] = [polynomial(q, &HYPERBOLIC[0]), polynomial(q, &HYPERBOLIC[1])];
     for _ in 0..2 {
         ratio = ratio * (rise + one);
         rise = rise * (rise + one * 2.0) * 2.0;

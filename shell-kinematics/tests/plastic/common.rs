@@ -191,3 +191,14 @@ pub const COUNT: usize = LANES;
 pub fn fresh(section: &dyn Section, strains: &Strains) -> [Pack; 8] {
     forces(&section.resultants(strains))
 }
+
+/// Components of a tensor in a frame turned by an angle; the last is `mixed` times the component 12.
+pub fn turned(s: [Pack; 3], angle: f64, mixed: f64) -> [Pack; 3] {
+    let (sin, cos) = libm::sincos(angle);
+    let t = s[2] * (1.0 / mixed);
+    [
+        s[0] * (cos * cos) + s[1] * (sin * sin) + t * (2.0 * sin * cos),
+        s[0] * (sin * sin) + s[1] * (cos * cos) - t * (2.0 * sin * cos),
+        ((s[1] - s[0]) * (sin * cos) + t * (cos * cos - sin * sin)) * mixed,
+    ]
+}

@@ -8,3 +8,4 @@ mod derivatives;
 mod paths;
 mod points;
 mod refused;
+mod sheets;

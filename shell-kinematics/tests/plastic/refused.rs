@@ -1,6 +1,6 @@
 //! What is refused, and in what words.
 
-use shell_kinematics::{Hardening, MaterialError, Plastic, PlasticPly, PlasticSection};
+use shell_kinematics::{Hardening, MaterialError, Plastic, PlasticPly, PlasticSection, RValues};
 
 use crate::common::*;
 
@@ -69,4 +69,6 @@ fn sections_without_bending_or_plies_are_refused() {
     assert_eq!(PlasticSection::layered(&[ply]).err(), Some(MaterialError::Angle(f64::INFINITY)));
     let words = "the modulus of kinematic hardening is -1; it must be zero or positive, and finite";
     assert_eq!(says(material().kinematic(-1.0)), words);
+    let words = "the r-value at 45° is 0; it must be positive and finite";
+    assert_eq!(says(RValues::new(1.0, 0.0, 1.0)), words);
 }
