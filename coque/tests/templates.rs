@@ -198,7 +198,7 @@ fn the_catalogue_names_what_scenes_use() {
         if let Some(shell) = scene.as_shell() {
             assert!(words("geometries").contains(&shell.geometry.word().to_string()));
             assert!(words("formulations").contains(&shell.formulation.word().to_string()));
-            assert!(words("strains").contains(&shell.formulation.curvature().to_string()));
+            assert!(words("strains").contains(&shell.curvature().to_string()));
         }
         if let Some(solid) = scene.as_solid() {
             assert!(words("solid-formulations").contains(&solid.formulation.word().to_string()));

@@ -75,7 +75,8 @@ pub use shell::material::{
 };
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
-pub use shell::plastic::{Hardening, Linear as LinearHardening, Plastic, Swift, Voce};
+pub use shell::plastic::{Anisotropy, Hardening, Linear as LinearHardening, Plastic, Swift, Voce};
+pub use shell::rubber::{MooneyRivlin, NeoHooke, Rubber, RubberLaw};
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};

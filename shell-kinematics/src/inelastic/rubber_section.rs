@@ -17,7 +17,7 @@
 
 use super::rubber::Rubber;
 use crate::integrated_section::GAUSS;
-use crate::pack::{Number, Pack};
+use crate::pack::{Arithmetic, Pack};
 use crate::section::{MaterialError, SHEAR_CORRECTION, Section, SectionScales};
 use crate::strains::{Resultants, Strains};
 use crate::tangent::{Matrix8, ZERO8};

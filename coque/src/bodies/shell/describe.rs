@@ -8,7 +8,7 @@ use sph_shell::Shell;
 use super::imported::Provenance;
 use crate::bodies::{Description, LoadResultants, Resultant, TangentCost};
 use crate::scene::body_in_scene::ShellInScene;
-use crate::scene::{Axis, Formulation, Layered, LoadKind, Ply, Reach, Section, ToolScene};
+use crate::scene::{Axis, Formulation, Layered, LoadKind, Material, Ply, Reach, Section, ToolScene};
 
 /// Steps in whose time a tangent of cells is assembled and factorised: so many, and so many times the root of the number
 /// of degrees of freedom n (a step takes a time that grows as n, a factor on a surface as n^1.5). Measured on lattices of
@@ -92,9 +92,10 @@ fn lists(
         },
     ];
     modelled.extend(surface.map(|surface| surface.line.clone()));
-    let mut left_out: Vec<String> = match scene.shell.material.yields() {
-        true => vec!["fracture".into()],
-        false => ["plasticity", "fracture", "change of thickness"].map(String::from).into(),
+    let mut left_out: Vec<String> = match scene.shell.material {
+        Material::Plastic(_) => vec!["fracture".into()],
+        Material::Rubber(_) => ["plasticity", "fracture"].map(String::from).into(),
+        _ => ["plasticity", "fracture", "change of thickness"].map(String::from).into(),
     };
     if scene.scene.contact.is_empty() {
         let contact = if scene.shell.tools.is_empty() { "contact" } else { "contact with itself" };
@@ -107,6 +108,12 @@ fn lists(
                 section.slices()
             ));
             modelled.push("thickness that follows plastic flow".into());
+        }
+        Section::Homogeneous(_) if matches!(scene.shell.material, Material::Rubber(_)) => {
+            modelled.push(
+                "incompressible rubber, three Gauss points through the thickness, which follows the stretch"
+                    .into(),
+            );
         }
         Section::Homogeneous(section) => modelled.push(match section.gauss_points {
             None => "isotropic elasticity, integrated through the thickness in closed form".into(),

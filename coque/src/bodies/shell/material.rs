@@ -2,7 +2,7 @@
 
 use shell_kinematics::{
     Hardening, IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic,
-    Plastic, PlasticSection, Ply, Section, StrainMeasure,
+    Plastic, PlasticSection, Ply, RValues, Rubber, RubberSection, Section, StrainMeasure,
 };
 use sph_core::{CubicSpline, Vec3};
 use sph_shell::{Formulation, Reach};
@@ -22,6 +22,8 @@ pub(super) enum SectionSpec {
     Layered(Vec<Ply>),
     /// One material that yields, through a thickness \[L\] in so many slices.
     Plastic(Plastic, f64, usize),
+    /// Rubber through a thickness \[L\].
+    Rubber(Rubber, f64),
 }
 
 impl SectionSpec {
@@ -40,7 +42,9 @@ impl SectionSpec {
     /// Thickness \[L\].
     pub fn thickness(&self) -> f64 {
         match self {
-            Self::Isotropic(_, thickness, _) | Self::Plastic(_, thickness, _) => *thickness,
+            Self::Isotropic(_, thickness, _)
+            | Self::Plastic(_, thickness, _)
+            | Self::Rubber(_, thickness) => *thickness,
             Self::Layered(plies) => plies.iter().map(|ply| ply.thickness).sum(),
         }
     }
@@ -50,6 +54,8 @@ impl SectionSpec {
         match self {
             Self::Isotropic(material, ..) => Some(material.young),
             Self::Plastic(material, ..) => Some(material.elastic().young),
+            // Incompressible.
+            Self::Rubber(material, _) => Some(3.0 * material.shear()),
             Self::Layered(_) => None,
         }
     }
@@ -70,6 +76,7 @@ impl SectionSpec {
             Self::Plastic(material, thickness, slices) => {
                 Box::new(PlasticSection::new(material.clone(), *thickness, *slices)?)
             }
+            Self::Rubber(material, thickness) => Box::new(RubberSection::new(material.clone(), *thickness)?),
         })
     }
 }
@@ -90,7 +97,21 @@ pub(crate) fn plastic(given: &scene::Plastic) -> Result<Plastic, MaterialError> 
         }
         scene::Hardening::Table(rows) => Hardening::table(rows)?,
     };
-    Plastic::new(elastic, hardening).kinematic(given.kinematic.get())
+    let material = Plastic::new(elastic, hardening).kinematic(given.kinematic.get())?;
+    let Some(rolled) = &given.anisotropy else { return Ok(material) };
+    Ok(material.anisotropic(RValues::new(rolled.r0.get(), rolled.r45.get(), rolled.r90.get())?))
+}
+
+/// Rubber.
+///
+/// # Errors
+/// [`MaterialError`] for numbers out of bounds.
+pub(crate) fn rubber(given: &scene::Rubber) -> Result<Rubber, MaterialError> {
+    match &given.law {
+        scene::RubberLaw::NeoHooke(own) => Rubber::neo_hooke(own.c1.get()),
+        scene::RubberLaw::MooneyRivlin(own) => Rubber::mooney_rivlin(own.c1.get(), own.c2.get()),
+        scene::RubberLaw::Ogden(rows) => Rubber::ogden(rows),
+    }
 }
 
 impl Builder<'_> {
@@ -111,6 +132,12 @@ impl Builder<'_> {
                 let yielding =
                     plastic(material).map_err(|e| model_error(self.scene.source, &path, &e.to_string()))?;
                 Ok(SectionSpec::Plastic(yielding, section.thickness.get(), section.slices()))
+            }
+            MaterialSection::Rubber(material, section) => {
+                let path = s.path(&format!("material.rubber.law.{}", material.law.word()));
+                let of =
+                    rubber(material).map_err(|e| model_error(self.scene.source, &path, &e.to_string()))?;
+                Ok(SectionSpec::Rubber(of, section.thickness.get()))
             }
             MaterialSection::Layered(m, section) => {
                 let across = m.shear_across.unwrap_or(m.shear);
@@ -133,17 +160,20 @@ impl Builder<'_> {
     /// The section made of it.
     pub(super) fn section(&self, spec: &SectionSpec, s: &Scope<'_>) -> Result<Box<dyn Section>, SceneError> {
         let path = match spec {
-            SectionSpec::Isotropic(..) | SectionSpec::Plastic(..) => "section.homogeneous",
+            SectionSpec::Isotropic(..) | SectionSpec::Plastic(..) | SectionSpec::Rubber(..) => {
+                "section.homogeneous"
+            }
             SectionSpec::Layered(_) => "section.layered",
         };
         spec.try_section().map_err(|e| model_error(self.scene.source, &s.path(path), &e.to_string()))
     }
 
-    /// Direction of angle zero of plies.
-    pub(crate) fn material_axis(&self, section: &scene::Section) -> Option<Vec3> {
-        match section {
-            scene::Section::Homogeneous(_) | scene::Section::File(_) => None,
-            scene::Section::Layered(section) => Some(self.turned(section.axis)),
+    /// Direction of angle zero of plies, or in which a sheet was rolled.
+    pub(crate) fn material_axis(&self, shell: &scene::ShellScene) -> Option<Vec3> {
+        match (&shell.material, &shell.section) {
+            (_, scene::Section::Layered(section)) => Some(self.turned(section.axis)),
+            (scene::Material::Plastic(sheet), _) => sheet.anisotropy.map(|rolled| self.turned(rolled.axis)),
+            _ => None,
         }
     }
 

@@ -42,8 +42,7 @@ impl Builder<'_> {
         let (shell, scope) = (self.scene.shell, self.scene.body_scope());
         if !shell.has_parts() {
             let base = self.section(&self.spec(shell, &scope)?, &scope)?;
-            let (density, axis) =
-                (shell.material.density().unwrap_or_default(), self.material_axis(&shell.section));
+            let (density, axis) = (shell.material.density().unwrap_or_default(), self.material_axis(shell));
             return Ok(Sections {
                 base,
                 density,
@@ -144,7 +143,7 @@ impl Builder<'_> {
         imported: Option<&Imported>,
     ) -> Result<Vec<UniformPart>, SceneError> {
         let density = shell.material.density().unwrap_or_default();
-        let axis = self.material_axis(&shell.section);
+        let axis = self.material_axis(shell);
         let strain = self.strain(shell, at)?;
         match shell.material_section(at)? {
             MaterialSection::OfFile(..) => self.alike_in_file(shell, at, &cells, imported),

@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::bounded::{PlyAngle, Positive, Slices, ThroughThickness};
 use crate::scene::shell::plastic::Plastic;
+use crate::scene::shell::rubber::Rubber;
 
 /// Materials.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -16,6 +17,8 @@ pub enum Material {
     Orthotropic(Orthotropic),
     /// Isotropic elasticity that yields by von Mises' criterion.
     Plastic(Plastic),
+    /// Incompressible rubber.
+    Rubber(Rubber),
     /// The materials that the file of the mesh gives with its sections.
     File(OfFile),
 }
@@ -32,7 +35,17 @@ impl Material {
             Self::Elastic(_) => "elastic",
             Self::Orthotropic(_) => "orthotropic",
             Self::Plastic(_) => "plastic",
+            Self::Rubber(_) => "rubber",
             Self::File(_) => "file",
+        }
+    }
+
+    /// The one strain measure that its law is written in, where it is not that of small strains.
+    pub(crate) fn curvature(&self) -> Option<&'static str> {
+        match self {
+            Self::Plastic(_) => Some("logarithmic"),
+            Self::Rubber(_) => Some("green-lagrange"),
+            _ => None,
         }
     }
 
@@ -47,6 +60,7 @@ impl Material {
             Self::Elastic(material) => Some(material.density.get()),
             Self::Orthotropic(material) => Some(material.density.get()),
             Self::Plastic(material) => Some(material.density.get()),
+            Self::Rubber(material) => Some(material.density.get()),
             Self::File(_) => None,
         }
     }
@@ -191,6 +205,7 @@ pub struct Ply {
 pub(crate) enum MaterialSection<'a> {
     Homogeneous(&'a Elastic, &'a Homogeneous),
     Plastic(&'a Plastic, &'a Homogeneous),
+    Rubber(&'a Rubber, &'a Homogeneous),
     Layered(&'a Orthotropic, &'a Layered),
     /// One of the two, or both, as the file gives them.
     OfFile(Option<&'a Elastic>, Option<&'a Homogeneous>),

@@ -7,6 +7,7 @@ pub(crate) mod material;
 pub(crate) mod mesh;
 pub(crate) mod parts;
 pub(crate) mod plastic;
+pub(crate) mod rubber;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -68,8 +69,7 @@ pub struct ShellScene {
 impl ShellScene {
     /// Name of the strain measure: as the method says, else what the material wants.
     pub fn curvature(&self) -> &str {
-        let usual = if self.material.yields() { "logarithmic" } else { STRETCH_CORRECTED };
-        self.formulation.curvature().unwrap_or(usual)
+        self.formulation.curvature().unwrap_or_else(|| self.material.curvature().unwrap_or(STRETCH_CORRECTED))
     }
 
     /// Whether a fluid wets both of its faces.

@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::bounded::{Exponent, NotNegative, Positive};
 
-/// Isotropic elasticity that yields by von Mises' criterion and flows along its normal.
+/// Isotropic elasticity that yields by von Mises' criterion, or Hill's, and flows along its normal.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Plastic {
@@ -20,6 +20,22 @@ pub struct Plastic {
     /// Modulus of linear kinematic hardening, by which the back stress grows a plastic strain in uniaxial tension \[F/L²\]; none without.
     #[serde(default)]
     pub kinematic: NotNegative,
+    /// Hill's criterion of a rolled sheet in place of von Mises'.
+    pub anisotropy: Option<Anisotropy>,
+}
+
+/// Strains of bars cut from a rolled sheet: that across its width over that through its thickness.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Anisotropy {
+    /// Rolling direction, whose projection on the surface counts, in the un-turned frame.
+    pub axis: [f64; 3],
+    /// Of a bar along it \[–\].
+    pub r0: Positive,
+    /// Of one at 45° \[–\].
+    pub r45: Positive,
+    /// Of one across \[–\].
+    pub r90: Positive,
 }
 
 /// The yield stress K as a function of the equivalent plastic strain α.

@@ -34,6 +34,7 @@ impl ShellScene {
             Material::Elastic(elastic) => self.check_elastic(elastic, s)?,
             Material::Orthotropic(orthotropic) => self.check_orthotropic(orthotropic, s)?,
             Material::Plastic(plastic) => self.check_plastic_material(plastic, s)?,
+            Material::Rubber(rubber) => self.check_rubber_material(rubber, s)?,
             Material::File(_) => self.check_of_file("material.file", s)?,
         }
         self.check_section(s)?;
@@ -131,6 +132,9 @@ impl ShellScene {
             (Material::Plastic(material), Section::Homogeneous(section)) => {
                 return Ok(MaterialSection::Plastic(material, section));
             }
+            (Material::Rubber(material), Section::Homogeneous(section)) => {
+                return Ok(MaterialSection::Rubber(material, section));
+            }
             (Material::File(_), Section::File(_)) => return Ok(MaterialSection::OfFile(None, None)),
             (Material::Elastic(material), Section::File(_)) => {
                 return Ok(MaterialSection::OfFile(Some(material), None));
@@ -141,6 +145,12 @@ impl ShellScene {
             (Material::Plastic(_), Section::File(_) | Section::Layered(_)) => (
                 "material.plastic",
                 "a material that yields",
+                "none but with [section.homogeneous]",
+                "give [section.homogeneous] with the thickness".into(),
+            ),
+            (Material::Rubber(_), Section::File(_) | Section::Layered(_)) => (
+                "material.rubber",
+                "rubber",
                 "none but with [section.homogeneous]",
                 "give [section.homogeneous] with the thickness".into(),
             ),

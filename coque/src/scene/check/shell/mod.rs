@@ -3,9 +3,9 @@
 mod formulation;
 mod initial_stress;
 mod material;
+mod own_law;
 mod parts;
 mod placed;
-mod plastic;
 mod rigid;
 
 use crate::scene::bounded::Polar;

@@ -1,7 +1,7 @@
 //! Checks of parts: what each has of its own, and whether strains are sampled in cells.
 
 use super::initial_stress::check_initial_stress;
-use super::plastic::check_plastic;
+use super::own_law::check_own_law;
 use super::rigid::check_rigid;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::sets::check_set_name;
@@ -89,7 +89,7 @@ pub(in crate::scene::check) fn check_parts(
     check_ties(scene, shell, s)?;
     check_rigid(scene, shell, s)?;
     check_initial_stress(scene, shell, s)?;
-    check_plastic(scene, shell, s)?;
+    check_own_law(scene, shell, s)?;
     if !shell.has_parts() {
         return Ok(());
     }

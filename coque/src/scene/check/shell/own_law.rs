@@ -1,4 +1,4 @@
-//! Checks of materials that yield: their numbers, and the methods and analyses that have them.
+//! Checks of materials that yield and of rubber: their numbers, and the methods and analyses that have them.
 
 use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::BodyInScene;
@@ -9,6 +9,7 @@ use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
 use crate::scene::shell::material::Section;
 use crate::scene::shell::plastic::{Hardening, Plastic};
+use crate::scene::shell::rubber::{Rubber, RubberLaw};
 
 impl ShellScene {
     /// The numbers of a material that yields, and of the section beside it.
@@ -17,13 +18,43 @@ impl ShellScene {
         if let Hardening::Table(rows) = &plastic.hardening {
             check_table(rows, s)?;
         }
+        if let Some(anisotropy) = &plastic.anisotropy {
+            s.direction("material.plastic.anisotropy.axis", anisotropy.axis)?;
+        }
+        self.check_even_section("a material that yields", "give `slices` in its place: 6 are usual", s)
+    }
+
+    /// The rows of rubber, and the section beside it.
+    pub(super) fn check_rubber_material(&self, rubber: &Rubber, s: &Scope<'_>) -> Verdict {
+        if let RubberLaw::Ogden(rows) = &rubber.law {
+            let path = "material.rubber.law.ogden";
+            if rows.is_empty() {
+                return Err(s.value(path, "empty", "rows of μ and α", "give at least one: [[1.0, 2.0]]"));
+            }
+            for (i, row) in rows.iter().enumerate() {
+                s.sized_all(&format!("{path}[{i}]"), row)?;
+                if row[0] * row[1] <= 0.0 {
+                    let repair = "give μ the sign of α";
+                    return Err(s.value(
+                        &format!("{path}[{i}]"),
+                        row[0] * row[1],
+                        "a positive product μ α",
+                        repair,
+                    ));
+                }
+            }
+        }
+        self.check_even_section("rubber", "remove it: rubber has three", s)
+    }
+
+    /// One thickness, without Gauss points of an elastic material.
+    fn check_even_section(&self, of: &str, without: &str, s: &Scope<'_>) -> Verdict {
         let Section::Homogeneous(section) = &self.section else { return Ok(()) };
         let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
             Err(SceneError::Choice(s.fault(&format!("section.homogeneous.{key}"), value, bound, repair)))
         };
         if section.gauss_points.is_some() {
-            let repair = "give `slices` in its place: 6 are usual";
-            return refuse("gauss-points", "Gauss points", "none of a material that yields", repair);
+            return refuse("gauss_points", "Gauss points", &format!("none of {of}"), without);
         }
         if section.varies() {
             let key = match (&section.taper, &section.table) {
@@ -31,8 +62,7 @@ impl ShellScene {
                 (_, Some(_)) => "table",
                 _ => "values",
             };
-            let bound = "one thickness of a material that yields";
-            return refuse(key, "a thickness that varies", bound, "remove it");
+            return refuse(key, "a thickness that varies", &format!("one thickness of {of}"), "remove it");
         }
         Ok(())
     }
@@ -70,54 +100,45 @@ fn check_table(rows: &[[f64; 2]], s: &Scope<'_>) -> Verdict {
     Ok(())
 }
 
-/// Refuses a material that yields where nothing keeps what its points went through.
-pub(super) fn check_plastic(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Scope<'_>) -> Verdict {
-    let in_parts = (0..shell.parts.len()).find(|part| shell.in_part(*part).material.yields());
-    if !shell.material.yields() && in_parts.is_none() {
-        return Ok(());
-    }
-    let yields = "a material that yields";
+/// Refuses materials with a law of their own where it does not hold: one that yields where nothing keeps what its points went through.
+pub(super) fn check_own_law(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Scope<'_>) -> Verdict {
+    let wants =
+        |shell: &ShellScene| shell.material.curvature().map(|measure| (shell.material.word(), measure));
+    let in_parts = (0..shell.parts.len()).find_map(|i| wants(&shell.in_part(i)).map(|found| (i, found)));
     let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
         Err(SceneError::Choice(s.fault(path, value, bound, repair)))
     };
+    let Some((word, measure)) = wants(shell) else {
+        let Some((i, (word, _))) = in_parts else { return Ok(()) };
+        let repair = "give the whole shell one material and one section";
+        return refuse(&format!("parts[{i}].material.{word}"), word, "none in a part", repair);
+    };
+    let path = format!("material.{word}");
+    let of = format!("[material.{word}]");
     if shell.has_parts() {
-        let (bound, repair) = ("none beside it", "give the whole shell one material and one section");
-        return match in_parts {
-            Some(part) => {
-                refuse(&format!("parts[{part}].material.plastic"), yields, "none in a part", repair)
-            }
-            None => refuse(shell.key_of_parts(), "sections of their own in cells", bound, repair),
-        };
+        let (bound, repair) =
+            (format!("none beside {of}"), "give the whole shell one material and one section");
+        return refuse(shell.key_of_parts(), "sections of their own in cells", &bound, repair);
     }
     if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
         let bound = "none but where strains are sampled in cells";
         let repair = "use [formulation.stress-point] without `support`, the default";
-        return refuse("material.plastic", yields, bound, repair);
+        return refuse(&path, &of, bound, repair);
     }
-    if shell.curvature() != "logarithmic" {
-        let (value, bound) =
-            (format!("\"{}\"", shell.curvature()), "\"logarithmic\" where a material yields");
-        return refuse(
-            "formulation.stress-point.curvature",
-            &value,
-            bound,
-            "remove it, or write \"logarithmic\"",
-        );
+    if shell.curvature() != measure {
+        let (value, bound) = (format!("\"{}\"", shell.curvature()), format!("\"{measure}\" beside {of}"));
+        let repair = format!("remove it, or write \"{measure}\"");
+        return refuse("formulation.stress-point.curvature", &value, &bound, &repair);
     }
     if !shell.initial_stress.is_empty() {
-        let bound = "none in a material that yields";
-        return refuse(
-            "initial_stress[0]",
-            "an initial stress",
-            bound,
-            "remove it, or make the material elastic",
-        );
+        let (bound, repair) = (format!("none in {of}"), "remove it, or make the material elastic");
+        return refuse("initial_stress[0]", "an initial stress", &bound, repair);
     }
-    if matches!(scene.analysis, Analysis::Linear(_) | Analysis::Buckling(_)) {
+    if shell.material.yields() && matches!(scene.analysis, Analysis::Linear(_) | Analysis::Buckling(_)) {
         let bound =
             format!("none in {}, which takes the material as it is at rest", scene.analysis.kind().name);
         let repair = "use [analysis.static], [analysis.arc-length] or a march, or [material.elastic]";
-        return refuse("material.plastic", yields, &bound, repair);
+        return refuse(&path, &of, &bound, repair);
     }
     Ok(())
 }
