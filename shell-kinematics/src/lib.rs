@@ -187,6 +187,7 @@
 //! | a history taken up goes on to the same bits | `a_history_taken_up_goes_on_to_the_same_bits` (tests/plastic/paths.rs) |
 //! | packs, plain loops and the widest registers give the same bits | `registers_change_no_bit` (tests/plastic/points.rs) |
 //! | a bar follows its curve and thins, a tube under pressure too | `a_bar_follows_its_curve_and_thins`, `a_tube_under_pressure_follows_its_curve` |
+//! | turned frames, mirrors and other units change nothing | `a_turned_frame_turns_the_forces`, `other_units_and_a_mirror_change_nothing` (tests/plastic/points.rs), `plies_of_sheets_are_a_laminate` (sheets.rs) |
 //! | bars of a rolled sheet have its r-values | `bars_have_the_r_values` (tests/plastic/sheets.rs) |
 //! | moments and springback of a bent strip; cycles close | tests/plastic/bending.rs, `a_cycle_of_kinematic_hardening_closes` (paths.rs) |
 //! | forces and tangents of sections that yield are derivatives at a fixed history | tests/plastic/derivatives.rs |

@@ -223,3 +223,47 @@ fn a_turned_frame_turns_the_forces() {
     // 3e-15: rounding.
     assert!(worst < 1e-14, "{worst:.1e}");
 }
+
+/// In other units of stress and length a path has the same history and forces in those units; in a mirror the same, the mixed components with the other sign.
+#[test]
+fn other_units_and_a_mirror_change_nothing() {
+    let with = |stress: f64, length: f64| {
+        let material = shell_kinematics::Isotropic::new(YOUNG * stress, POISSON).unwrap();
+        let hardening = Hardening::voce(YIELD * stress, 200.0 * stress, 12.0).unwrap();
+        let plastic = Plastic::new(material, hardening).kinematic(900.0 * stress).unwrap();
+        Specimen::new(PlasticSection::new(plastic, THICKNESS * length, 6).unwrap())
+    };
+    for (stress, length) in [(1e6, 1e-3), (1e-12, 1e6), (145.0, 0.04)] {
+        let mut random = Random(61);
+        let [mut here, mut there, mut mirrored] = [with(1.0, 1.0), with(stress, length), with(1.0, 1.0)];
+        let mut worst = 0.0_f64;
+        for _ in 0..50 {
+            let strains = random.strains(0.01, 0.02);
+            let other = Strains { curvature: strains.curvature.map(|k| k * (1.0 / length)), ..strains };
+            let flip = |[a, b, c]: [Pack; 3]| [a, b, -c];
+            let image =
+                Strains { membrane: flip(strains.membrane), curvature: flip(strains.curvature), ..strains };
+            let (a, b, c) =
+                (here.resultants(&strains), there.resultants(&other), mirrored.resultants(&image));
+            assert!(flip(a.membrane) == c.membrane && flip(a.moment) == c.moment);
+            for i in 0..3 {
+                let force = b.membrane[i] * (1.0 / (stress * length));
+                let moment = b.moment[i] * (1.0 / (stress * length * length));
+                worst = worst.max(most(a.membrane[i] - force) / sizes()[0]);
+                worst = worst.max(most(a.moment[i] - moment) / sizes()[3]);
+            }
+            here.commit(&strains);
+            there.commit(&other);
+            mirrored.commit(&image);
+            let tallies = |s: &Specimen| {
+                [s.section.tallies(&s.history).thickness(), s.section.tallies(&s.history).free_share()]
+            };
+            for (a, b) in tallies(&here).into_iter().zip(tallies(&there)) {
+                worst = worst.max(most(a - b));
+            }
+        }
+        println!("{stress} {length}: {worst:.1e}");
+        // 2e-15: rounding.
+        assert!(worst < 6e-15, "{worst:.1e}");
+    }
+}
