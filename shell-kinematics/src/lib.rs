@@ -114,6 +114,23 @@
 //! `Σ w (½|x|² + ½β:εp + ∫K dα)` is a potential of the step; `Σ w K(0) α` of it is dissipated, the rest stored. A commit moves F, and so the strains of a
 //! bent point: committed twice at the same strains, a bent history moves by that much. What a history says is in [`Tallies`].
 //!
+//! ```
+//! use std::sync::Arc;
+//!
+//! use shell_kinematics::{
+//!     Hardening, HistoryPack, Isotropic, Pack, Plastic, PlasticSection, Section, Strains,
+//! };
+//! let steel = Plastic::new(Isotropic::new(200e3, 0.3)?, Hardening::linear(250.0, 1000.0)?);
+//! let mut sheet = HistoryPack::new(Arc::new(PlasticSection::new(steel, 0.8, 6)?));
+//! let sheared = Strains { membrane: [Pack::ZERO, Pack::ZERO, Pack::splat(0.02)], ..Strains::default() };
+//! let force = sheet.resultants(&sheared).membrane[2].lanes()[0];
+//! sheet.commit(&sheared);
+//! // Shear of σ/√3 where the strain is α√3 and the elastic one; what is not elastic stays.
+//! let alpha = (0.02 - force / 0.8 * 2.6 / 200e3) / 3.0_f64.sqrt();
+//! assert!((force / 0.8 * 3.0_f64.sqrt() - (250.0 + 1000.0 * alpha)).abs() < 1e-9);
+//! # Ok::<(), shell_kinematics::MaterialError>(())
+//! ```
+//!
 //! A [`RubberSection`] is incompressible at each of three Gauss points: `C(z) = C + 2zλ₃κ`, λ₃ = 1/√det C, and `ψ = Σ w W(tr C, det C)` with C33 = 1/det C
 //! ([`Rubber`]: neo-Hooke, Mooney–Rivlin, Ogden). It takes [`GreenLagrange`] strains: C and the change of curvature are linear in them, so that the
 //! potential needs neither a logarithm nor what U does to the curvature. Sheared transversely it is linear.
@@ -167,8 +184,10 @@
 //! | initial resultants add to those of the section, with their work | `resultants_under_stress_are_the_derivative_of_the_energy` (tests/packs.rs) |
 //! | a history is left alone by evaluations and by a second commit; resultants are the derivative of the work | sph-shell/tests/history.rs |
 //! | three steps leave random points on the yield surface, of von Mises and of Hill | `three_steps_reach_the_yield_surface` (tests/plastic/points.rs), `three_steps_reach_the_surface_of_sheets` (sheets.rs) |
+//! | a history taken up goes on to the same bits | `a_history_taken_up_goes_on_to_the_same_bits` (tests/plastic/paths.rs) |
 //! | packs, plain loops and the widest registers give the same bits | `registers_change_no_bit` (tests/plastic/points.rs) |
 //! | a bar follows its curve and thins, a tube under pressure too | `a_bar_follows_its_curve_and_thins`, `a_tube_under_pressure_follows_its_curve` |
+//! | turned frames, mirrors and other units change nothing | `a_turned_frame_turns_the_forces`, `other_units_and_a_mirror_change_nothing` (tests/plastic/points.rs), `plies_of_sheets_are_a_laminate` (sheets.rs) |
 //! | bars of a rolled sheet have its r-values | `bars_have_the_r_values` (tests/plastic/sheets.rs) |
 //! | moments and springback of a bent strip; cycles close | tests/plastic/bending.rs, `a_cycle_of_kinematic_hardening_closes` (paths.rs) |
 //! | forces and tangents of sections that yield are derivatives at a fixed history | tests/plastic/derivatives.rs |

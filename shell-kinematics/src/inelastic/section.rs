@@ -1,6 +1,6 @@
 //! A section that yields: plies of equal slices, with the plastic strain of each, the thickness and the stretch as memory.
 
-use super::functions::{above_zero, three};
+use super::functions::three;
 use super::hardening::{Hardening, not_negative};
 use super::hill::RValues;
 use super::modes::Modes;
@@ -209,7 +209,7 @@ impl PlasticSection {
     /// [`Memory::history_from`] in any registers, with the resultants of the same strains; `write` takes every number of the new history with its place.
     ///
     /// ln λ₃ is the mean over the thickness of `−ν/E (σ11 + σ22) − (εp11 + εp22)`. ψ is the share of the points, each with the square of its height,
-    /// that do not flow in this step, at least 0.02.
+    /// that do not flow in this step by more than rounding, at least 0.02.
     #[inline(always)]
     pub fn commit_in<P: Number>(
         &self,
@@ -282,7 +282,7 @@ impl<P: Number, R: Fn(usize) -> P, W: FnMut(usize, P)> Met<P> for Committing<'_,
         }
         (self.write)(place + 3, point.alpha);
         let share = slice.weight * slice.height * slice.height;
-        self.flowing += above_zero(point.gamma) * share;
+        self.flowing += point.flows * share;
         self.whole += share;
         point.stress
     }
