@@ -98,7 +98,7 @@
 //! and the change K of curvature freed of stretch. With λ₃ = present thickness over thickness at rest and U⁻¹ = exp(−h) of the last commit,
 //!
 //! ```text
-//! ε(z) = h + z F K    F K = λ₃ sym(U⁻¹K)    N = Σ w σ    M = Fᵀ Σ w z σ    Q = (5/6) Σ G t γ
+//! ε(z) = h + z (F K + g)    F K = λ₃ sym(U⁻¹K)    N = Σ w σ    M = Fᵀ Σ w z σ    Q = (5/6) Σ G t γ
 //! λ₃ = exp mean( −ν/E (σ11 + σ22) − (εp11 + εp22) )
 //! ```
 //!
@@ -111,8 +111,8 @@
 //! ```
 //!
 //! Newton's method on `√⅔ K/f − 1` takes one step and three more, always: no lane branches, and packs, plain loops and AVX2 give the same bits. The work
-//! `Σ w (½|x|² + ½β:εp + ∫K dα)` is a potential of the step; `Σ w K(0) α` of it is dissipated, the rest stored. A commit moves F, and so the strains of a
-//! bent point: committed twice at the same strains, a bent history moves by that much. What a history says is in [`Tallies`].
+//! `Σ w (½|x|² + ½β:εp + ∫K dα)` is a potential of the step; `Σ w K(0) α` of it is dissipated, the rest stored. A commit moves F and leaves the strains of
+//! all points what they are. What a history says is in [`Tallies`].
 //!
 //! ```
 //! use std::sync::Arc;

@@ -92,8 +92,8 @@ pub(super) struct Layer {
 /// strain h of its mid-surface, its curvature the change K of curvature freed of stretch.
 ///
 /// Transverse shear is elastic, `Q = (5/6) Σ G t γ`, and no part of the yield criterion. The history has, a slice, three plastic strains and α,
-/// then λ₃ − 1, U⁻¹ − 1 and 1 − ψ ([`PlasticSection::tallies`] reads it). λ₃ and U⁻¹ are those of the last commit, which makes a step's resultants
-/// the derivative of its work; a commit moves them, and with them the strain of a bent point by z(F' − F)K.
+/// then λ₃ − 1, U⁻¹ − 1, g ([`super::thickness`]) and 1 − ψ ([`PlasticSection::tallies`] reads it). λ₃ and U⁻¹ are those of the last commit, which makes a step's resultants
+/// the derivative of its work; a commit moves them, and leaves the strain of each point what it is.
 #[derive(Clone, Debug)]
 pub struct PlasticSection {
     pub(super) layers: Vec<Layer>,
@@ -148,7 +148,15 @@ impl PlasticSection {
     #[inline(always)]
     pub(super) fn lever<P: Number>(&self, read: impl Fn(usize) -> P) -> Lever<P> {
         let first = self.of_section;
-        Lever::read([read(first), read(first + 1), read(first + 2), read(first + 3)])
+        Lever::read([
+            read(first),
+            read(first + 1),
+            read(first + 2),
+            read(first + 3),
+            read(first + 4),
+            read(first + 5),
+            read(first + 6),
+        ])
     }
 
     /// Resultants of the stresses that are met at the points.
@@ -224,7 +232,7 @@ impl PlasticSection {
         let Committing { log_thickness, flowing, whole, .. } = sums;
         let log_thickness = log_thickness * (1.0 / self.scales.thickness);
         let first = self.of_section;
-        let numbers = thickness::numbers(log_thickness, &strains.membrane);
+        let numbers = lever.next(log_thickness, &strains.membrane, &strains.curvature);
         for i in 0..thickness::NUMBERS {
             write(first + i, numbers[i]);
         }
@@ -307,7 +315,7 @@ impl Layer {
     pub(super) fn across<P: Number>(&self, strains: &Strains<P>, lever: &Lever<P>) -> Across<P> {
         Across {
             middle: self.modes.of_strains(&strains.membrane),
-            slope: self.modes.of_strains(&lever.strains(&strains.curvature)),
+            slope: self.modes.of_strains(&lever.slope(&strains.curvature)),
         }
     }
 

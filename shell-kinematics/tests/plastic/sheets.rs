@@ -186,5 +186,5 @@ fn plies_of_sheets_are_a_laminate() {
     println!("{worst:.1e}");
     // 7e-16: rounding.
     assert!(worst < 3e-15, "{worst:.1e}");
-    assert_eq!(here.section.history_len(), 4 * 11 + 5);
+    assert_eq!(here.section.history_len(), 4 * 11 + 8);
 }
