@@ -56,7 +56,7 @@ impl Block {
     /// Displacement of the face by a pressure of a wave number \[L/(F/L²)\].
     fn gives(&self, wave: f64) -> f64 {
         let q = wave * self.height;
-        // Beyond, the base is not felt to rounding.
+        // Beyond, what the base changes is below rounding.
         let layer = if q > 20.0 { 1.0 } else { (cosh(2.0 * q) - 1.0) / (sinh(2.0 * q) + 2.0 * q) };
         2.0 * layer / (self.plane_modulus() * wave)
     }
