@@ -49,9 +49,9 @@ pub fn case() -> Case {
                 slowed by a wide plate as by a dashpot, until waves come back. A rigid mass hits a column of bonds, whose waves push it off.",
         citation: "Saint-Venant's longitudinal impact; the point impedance of a plate by Cremer and Heckl",
         variants: vec![
-            Variant::scene(PAIRWISE, BLOCK, "block of bonds on a flat").quick().judged(|run, _| block(run)),
+            Variant::scene(PAIRWISE, BLOCK, "block of bonds on a flat").judged(|run, _| block(run)),
             Variant::scene(CELL, BALL, ON_PLATE).judged(|run, _| ball(run)),
-            Variant::scene(PAIRWISE, MASS, ON_COLUMN).quick().judged(|run, _| mass(run)),
+            Variant::scene(PAIRWISE, MASS, ON_COLUMN).judged(|run, _| mass(run)),
         ],
         headline: Some(Headline::new(SLOWED, 0.1)),
         figures,
