@@ -117,6 +117,7 @@ fn on_any_threads_and_stopped_the_bits_are_the_same() {
         ("bodies.block.solid.geometry.block", "{ lengths = [1.0, 0.3, 1.0], spacing = 0.1 }"),
         ("bodies.block.solid.formulation.bond-based.horizon", "2.015"),
         ("analysis.explicit.quasi-static.levels", "2"),
+        ("output", "{}"),
     ];
     stopped_again_and_again("drum-on-bonds", &common::text("drum-on-bonds.toml"), &coarse, 3);
     stopped_again_and_again("mass-on-column", &common::text("mass-on-column.toml"), &[], 3);
