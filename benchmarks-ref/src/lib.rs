@@ -6,6 +6,8 @@
 //! - [`mod@catalogue`]: the table of references, each with citation, quantity, units, values and uncertainty;
 //! - [`curve`]: what is done with a curve: interpolate, find a limit point, measure a distance;
 //! - [`elastica`]: the inextensible cantilever bent by an end moment or an end load;
+//! - [`impact`]: a mass that hits a wide plate or the end of a bar;
+//! - [`pressed`]: a drum and a ball pressed on a block between planes of symmetry;
 //! - [`rolled_strip`]: the same strip with a Green–Lagrange strain, which is *not* the elastica when it is thick;
 //! - [`external_pressure`]: when rings and long cylinders buckle under pressure that follows them;
 //! - [`vibration`]: the first natural frequency of a cantilever;
@@ -107,6 +109,8 @@
 //! | long cylinders are rings in plane strain, short ones shallow shells | `an_endless_cylinder_is_a_ring_in_plane_strain`, `many_waves_are_those_of_shallow_shells` (src/external_pressure.rs) |
 //! | elliptic integrals: published values, Legendre's relation | `published_values`, `legendre_relation` (src/elliptic.rs) |
 //! | rings between plates are those of the table and of small deflections; strips on drums are in balance; collapsed rings touch once | `the_pressed_ring_is_that_of_the_table`, `a_ring_hardly_pressed_is_that_of_small_deflections`, `strips_are_in_balance_with_their_curvature_on_the_drum`, `rings_touch_once_and_bear_more_and_more` (src/touching.rs) |
+//! | a struck bar parts when Saint-Venant says | `the_bar_parts_when_saint_venant_says`, `at_first_the_bar_is_endless` (src/impact.rs) |
+//! | drums and balls on a block are Hertz's where the contact is small, and fit the face within it | `a_small_contact_is_that_of_hertz`, `the_face_fits_the_drum_within_the_contact` (src/pressed.rs) |
 //! | rings and strips in fluids are those of the tables | `the_ring_meets_the_table_dry_and_wet`, `the_taut_strip_meets_the_converged_elements` (src/fluid_structure_forms.rs) |
 //! | an added mass is the energy of its fluid | `the_added_mass_is_the_energy_of_the_fluid` |
 //! | plates buckle and bend by their closed forms | `the_plate_buckles_by_its_closed_forms`, `thin_square_plates_are_those_of_the_tables` |
@@ -127,8 +131,10 @@ pub mod fe_solid;
 pub mod fluid_structure;
 pub mod fluid_structure_forms;
 pub mod fluids;
+pub mod impact;
 pub mod kirsch;
 pub mod on_flats;
+pub mod pressed;
 pub mod rolled_strip;
 pub mod touching;
 pub mod vibration;

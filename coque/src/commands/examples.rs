@@ -35,10 +35,11 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 67] = [
+const EXAMPLES: [Example; 70] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
+    Example::new("block-on-flat", 0.1, include_str!("../../../scenes/block-on-flat.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-on-flat", 1.0, include_str!("../../../scenes/cantilever-on-flat.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
@@ -50,6 +51,7 @@ const EXAMPLES: [Example; 67] = [
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
     Example::new("dam-break", 3.0, include_str!("../../../scenes/dam-break.toml")),
     Example::new("drum-on-block", 4.0, include_str!("../../../scenes/drum-on-block.toml")),
+    Example::new("drum-on-bonds", 2.0, include_str!("../../../scenes/drum-on-bonds.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
@@ -62,6 +64,7 @@ const EXAMPLES: [Example; 67] = [
     Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
+    Example::new("mass-on-column", 0.1, include_str!("../../../scenes/mass-on-column.toml")),
     Example::new("open-cylinder", 3.0, include_str!("../../../scenes/open-cylinder.toml")),
     Example::new("panel", 14.0, include_str!("../../../scenes/panel.toml")),
     Example::new("panel-laminated", 22.0, include_str!("../../../scenes/panel-laminated.toml")),

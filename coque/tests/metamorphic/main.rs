@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 31] = [
+const SCENES: [(&str, Replaced); 32] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -51,6 +51,7 @@ const SCENES: [(&str, Replaced); 31] = [
     ("../coque/tests/touching_solids/blocks.toml", &[]),
     ("../coque/tests/solids_on_tools/thrown.toml", &[]),
     ("../coque/tests/solids_on_tools/pressed.toml", &[("analysis.static.tolerance", "1e-13")]),
+    ("block-on-flat.toml", &[]),
     ("../coque/tests/metamorphic/difference.toml", &[]),
     ("../coque/tests/metamorphic/bent.toml", &[]),
     ("plate-clamped-solid.toml", &[]),

@@ -1,6 +1,6 @@
 //! A rigid ball that spins and hits a plate off its middle: mirrored, turned, in other units, moved against moved, whichever is named first.
 
-use super::{difference, judge, ran};
+use super::{common::text, difference, judge, ran};
 use coque::Outcome;
 
 const SCENE: &str = "
@@ -131,5 +131,49 @@ fn whichever_is_named_first_it_is_the_same_to_the_bit() {
     assert_eq!(still().curve, ran(SCENE, &swapped, 1).curve);
     for threads in [2, 3] {
         assert_eq!(still().curve, ran(SCENE, &[], threads).curve);
+    }
+}
+
+/// A rigid mass on a column of bonds: whichever the contact names first changes no bit; along x in place of z the same, but for rounding.
+#[test]
+fn a_mass_hits_a_column_the_same_way_along_another_axis() {
+    let scene = text("mass-on-column.toml");
+    let still = ran(&scene, &[], 1);
+    let named = ran(&scene, &[("contact", "[{ between = [\"column\", \"mass\"], rounding = 0.001 }]")], 1);
+    assert_eq!(still.curve.rows, named.curve.rows);
+    let column = |name: &str, of: &str, on: &str| {
+        format!("{{ name = \"{name}\", of = \"{of}\", on = \"{on}.all\", direction = [1, 0, 0] }}")
+    };
+    let columns = [
+        column("F", "contact-force", "mass"),
+        column("F_column", "contact-force", "column"),
+        column("v", "velocity", "mass"),
+    ];
+    let mirror = |face: &str, normal: &str| {
+        format!("{{ on = \"column.{face}\", symmetry = {{ normal = {normal} }} }}")
+    };
+    let [x, y, z] = ["[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]"];
+    let mirrors = [mirror("y0", y), mirror("y1", y), mirror("z0", z), mirror("z1", z), mirror("x0", x)];
+    let along = ran(
+        &scene,
+        &[
+            (
+                "bodies.mass.rigid.geometry.box",
+                "{ min = [1.0001, -0.1, -0.1], max = [1.2, 0.3, 0.3], spacing = 0.2 }",
+            ),
+            ("bodies.mass.rigid.velocity.linear", "[-10.0, 0.0, 0.0]"),
+            ("bodies.column.solid.geometry.block.lengths", "[1.0, 0.2, 0.2]"),
+            ("supports", &format!("[{}]", mirrors.join(", "))),
+            ("curve", &format!("[{}]", columns.join(", "))),
+        ],
+        1,
+    );
+    // Nothing acts from outside: that work holds rounding alone.
+    for name in ["v", "F", "F_column", "internal"] {
+        let [one, other] = [&still, &along].map(|outcome| outcome.curve.column(name).unwrap());
+        let size = one.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let off = one.iter().zip(&other).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / size;
+        println!("along x: {off:.1e} {name}");
+        assert!(off < 1e-9, "{name}: {off:e}");
     }
 }

@@ -1,12 +1,14 @@
-//! Shells that touch tools, themselves and each other; a new case is a file, a line here, and one in the list.
+//! Shells, solids and rigid bodies that touch tools, themselves and each other; a new case is a file, a line here, and one in the list.
 
 mod cantilever_on_flat;
 mod capstan;
 mod collapsed_ring;
+mod dropped;
 mod flap_on_sill;
 mod fold_pressed;
 mod hemisphere_on_flat;
 mod incline;
+mod pressed_blocks;
 mod pressed_ring;
 mod strip_lifted;
 mod touched_modes;
@@ -16,7 +18,7 @@ mod wrapped_strip;
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 12] {
+pub fn all() -> [Case; 14] {
     [
         pressed_ring::case(),
         fold_pressed::case(),
@@ -30,5 +32,7 @@ pub fn all() -> [Case; 12] {
         incline::case(),
         touched_modes::case(),
         flap_on_sill::case(),
+        pressed_blocks::case(),
+        dropped::case(),
     ]
 }
