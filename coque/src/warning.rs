@@ -120,6 +120,12 @@ pub enum WarningKind {
     FrozenContact,
     /// Bodies between which no contact is named, or parts of a shell, that are in each other.
     TouchingUnseen,
+    /// Few points through the thickness of a section that yields.
+    FewSlices,
+    /// Plastic strains beyond the last row of a table of hardening.
+    BeyondData,
+    /// Much of the work goes into the control of zero-energy modes of cells that yield.
+    StiffControl,
     /// States at which a march came to rest without a look at whether they are stable.
     StabilityUnknown,
     /// Energy that comes or goes in a march without a book that says whence or whither.
@@ -187,6 +193,9 @@ impl WarningKind {
             Self::ShortenedStep => "shortened-step",
             Self::FrozenContact => "frozen-contact",
             Self::TouchingUnseen => "touching-unseen",
+            Self::FewSlices => "few-slices",
+            Self::BeyondData => "beyond-data",
+            Self::StiffControl => "stiff-control",
             Self::StabilityUnknown => "stability-unknown",
             Self::OpenBalance => "open-balance",
         }

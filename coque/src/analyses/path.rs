@@ -83,7 +83,7 @@ impl Levels {
         run: &mut Run<'_>,
     ) -> ControlFlow<Ended> {
         let (before, number, unit) = (self.last(), self.found, run.force_unit.clone());
-        let last = self.list.last().copied().unwrap_or(1.0);
+        let share = number as f64 / self.list.len() as f64;
         let control = match run.driven {
             None => Control::Load { step: level - before, until: level },
             Some(driven) => {
@@ -104,7 +104,7 @@ impl Levels {
                     return ControlFlow::Break(());
                 }
             }
-            run.tell(before / last, run.record.steps, before, row[1])
+            run.tell(share, run.record.steps, before, row[1])
         });
         count(&path, run);
         note_breaches(&path.breaches, unit.as_deref(), &mut run.record);
@@ -132,7 +132,6 @@ impl Levels {
         system: &mut dyn StaticBody,
         run: &mut Run<'_>,
     ) -> ControlFlow<Ended> {
-        let last = self.list.last().copied().unwrap_or(1.0);
         row[0] = level;
         let internal = row[1];
         run.record.energies = at_rest(internal, 0.0, &run.record);
@@ -151,7 +150,8 @@ impl Levels {
             return ControlFlow::Break(Ended::Done);
         }
         (self.start, self.found) = (path.restart, self.found + 1);
-        let flow = run.tell(level / last, run.record.steps, level, internal);
+        let share = self.found as f64 / self.list.len() as f64;
+        let flow = run.tell(share, run.record.steps, level, internal);
         keep(run, self.found, &self.start, system);
         if self.found == self.list.len() {
             return ControlFlow::Break(Ended::Done);

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 70] = [
+const EXAMPLES: [Example; 77] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
@@ -49,6 +49,7 @@ const EXAMPLES: [Example; 70] = [
     Example::new("column-buckling", 0.1, include_str!("../../../scenes/column-buckling.toml")),
     Example::new("crack-branching", 3.0, include_str!("../../../scenes/crack-branching.toml")),
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
+    Example::new("cylinder-yielding", 4.0, include_str!("../../../scenes/cylinder-yielding.toml")),
     Example::new("dam-break", 3.0, include_str!("../../../scenes/dam-break.toml")),
     Example::new("drum-on-block", 4.0, include_str!("../../../scenes/drum-on-block.toml")),
     Example::new("drum-on-bonds", 2.0, include_str!("../../../scenes/drum-on-bonds.toml")),
@@ -61,6 +62,7 @@ const EXAMPLES: [Example; 70] = [
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
     Example::new("hemisphere", 0.1, include_str!("../../../scenes/hemisphere.toml")),
     Example::new("hemisphere-on-flat", 3.0, include_str!("../../../scenes/hemisphere-on-flat.toml")),
+    Example::new("hemisphere-yielding", 1.0, include_str!("../../../scenes/hemisphere-yielding.toml")),
     Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
@@ -81,6 +83,7 @@ const EXAMPLES: [Example; 70] = [
     Example::new("plate-pd", 6.0, include_str!("../../../scenes/plate-pd.toml")),
     Example::new("plate-shortened", 2.0, include_str!("../../../scenes/plate-shortened.toml")),
     Example::new("plate-solid", 5.0, include_str!("../../../scenes/plate-solid.toml")),
+    Example::new("plate-yielding", 1.0, include_str!("../../../scenes/plate-yielding.toml")),
     Example::new("propped-cantilever", 0.2, include_str!("../../../scenes/propped-cantilever.toml")),
     Example::new("pulled-strip", 0.1, include_str!("../../../scenes/pulled-strip.toml")),
     Example::new("relieved-strip", 0.1, include_str!("../../../scenes/relieved-strip.toml")),
@@ -89,6 +92,7 @@ const EXAMPLES: [Example; 70] = [
     Example::new("ring-in-itself", 2.0, include_str!("../../../scenes/ring-in-itself.toml")),
     Example::new("ring-green-lagrange", 6.0, include_str!("../../../scenes/ring-green-lagrange.toml")),
     Example::new("ring-pressure", 0.1, include_str!("../../../scenes/ring-pressure.toml")),
+    Example::new("roof-collapsing", 20.0, include_str!("../../../scenes/roof-collapsing.toml")),
     Example::new("scordelis-lo", 0.1, include_str!("../../../scenes/scordelis-lo.toml")),
     Example::new("shell-in-water", 24.0, include_str!("../../../scenes/shell-in-water.toml")),
     Example::new("spinning-block", 0.1, include_str!("../../../scenes/spinning-block.toml")),
@@ -104,13 +108,16 @@ const EXAMPLES: [Example; 70] = [
         include_str!("../../../scenes/meshes/stiffened-panel-gmsh.toml"),
     ),
     Example::new("strip-lifted", 1.0, include_str!("../../../scenes/strip-lifted.toml")),
+    Example::new("strip-necking", 0.1, include_str!("../../../scenes/strip-necking.toml")),
     Example::new("strip-over-drum", 1.0, include_str!("../../../scenes/strip-over-drum.toml")),
+    Example::new("strip-springback", 1.0, include_str!("../../../scenes/strip-springback.toml")),
     Example::new("t-frame", 0.2, include_str!("../../../scenes/meshes/t-frame.toml")),
     Example::new("tensioned-plate", 0.5, include_str!("../../../scenes/tensioned-plate.toml")),
     Example::new("thick-ring", 0.1, include_str!("../../../scenes/thick-ring.toml")),
     Example::new("thick-ring-solid", 0.2, include_str!("../../../scenes/thick-ring-solid.toml")),
     Example::new("thin-ring", 35.0, include_str!("../../../scenes/thin-ring.toml")),
     Example::new("tied-rib", 0.1, include_str!("../../../scenes/meshes/tied-rib.toml")),
+    Example::new("tube-inflating", 0.1, include_str!("../../../scenes/tube-inflating.toml")),
     Example::new("twisted-beam", 0.1, include_str!("../../../scenes/twisted-beam.toml")),
     Example::new("twisted-strip", 0.5, include_str!("../../../scenes/twisted-strip.toml")),
     Example::new("two-cantilevers", 3.0, include_str!("../../../scenes/two-cantilevers.toml")),

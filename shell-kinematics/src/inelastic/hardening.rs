@@ -14,7 +14,7 @@ enum Curve {
     Linear { initial: f64, slope: f64 },
     Voce { initial: f64, rise: f64, rate: f64 },
     Swift { factor: f64, offset: f64, exponent: f64 },
-    Table { initial: f64, bends: Vec<Bend> },
+    Table { initial: f64, bends: Vec<Bend>, until: f64 },
 }
 
 /// Where the slope of a table changes.
@@ -120,7 +120,13 @@ impl Hardening {
             slope = next;
             bend
         });
-        Ok(Self(Curve::Table { initial, bends: bends.collect() }))
+        let until = rows[rows.len() - 1][0];
+        Ok(Self(Curve::Table { initial, bends: bends.collect(), until }))
+    }
+
+    /// The plastic strain beyond which a table says nothing \[–\]; none of other curves.
+    pub fn until(&self) -> Option<f64> {
+        if let Curve::Table { until, .. } = &self.0 { Some(*until) } else { None }
     }
 
     /// Yield stress where nothing has flowed \[F/L²\].
@@ -149,7 +155,7 @@ impl Hardening {
                 let stress = exp(ln(strain) * *exponent) * *factor;
                 Yield { stress, slope: stress * *exponent / strain }
             }
-            Curve::Table { initial, bends } => {
+            Curve::Table { initial, bends, .. } => {
                 let zero = alpha.all(0.0);
                 let mut out = Yield { stress: alpha.all(*initial), slope: alpha.all(bends[0].change) };
                 out.stress += alpha * bends[0].change;

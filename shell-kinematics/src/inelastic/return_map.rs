@@ -116,6 +116,11 @@ impl PointLaw {
         }
     }
 
+    /// How the yield stress grows.
+    pub fn hardening(&self) -> &Hardening {
+        &self.hardening
+    }
+
     /// ξ of a point that stays as it is.
     #[inline(always)]
     fn over<P: Number>(&self, stress: &[P; 3], plastic: &[P; 3]) -> [P; 3] {

@@ -144,6 +144,16 @@ impl PlasticSection {
         Ok(Self { layers, of_section: first, shear: scales.shear, scales })
     }
 
+    /// The fewest slices of a ply.
+    pub fn fewest_slices(&self) -> usize {
+        self.layers.iter().map(|layer| layer.slices.len()).min().unwrap_or(0)
+    }
+
+    /// The least plastic strain beyond which a table of hardening says nothing \[–\]; none without tables.
+    pub fn data_until(&self) -> Option<f64> {
+        self.layers.iter().filter_map(|layer| layer.law.hardening().until()).reduce(f64::min)
+    }
+
     /// λ₃ and U⁻¹ of a history.
     #[inline(always)]
     pub(super) fn lever<P: Number>(&self, read: impl Fn(usize) -> P) -> Lever<P> {

@@ -1,6 +1,8 @@
 //! What can be read at the sampling points: strains, resultants, the directions they refer to.
 
-use shell_kinematics::{LANES, Pack, Section};
+use std::any::Any;
+
+use shell_kinematics::{LANES, Pack, PlasticSection, Section};
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -49,6 +51,11 @@ pub struct Yielded {
 }
 
 impl Shell {
+    /// Its section, if that yields.
+    pub fn plastic_section(&self) -> Option<&PlasticSection> {
+        (&*self.material.section as &dyn Any).downcast_ref()
+    }
+
     /// What each sampling point has gone through, in the order of the reference's `operator.points`; empty where no section yields.
     pub fn yielded(&self) -> Vec<Yielded> {
         let histories = self.points.sections.histories();

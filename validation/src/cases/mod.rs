@@ -10,6 +10,7 @@ mod forecast_solids;
 mod galerkin;
 mod growth;
 mod hard;
+mod plasticity;
 mod shell;
 mod solid;
 
@@ -19,6 +20,7 @@ use crate::Case;
 pub fn usual() -> Vec<Case> {
     let mut cases = shell::all();
     cases.extend(family("Contact", contact::all()));
+    cases.extend(family("Plasticity", plasticity::all()));
     cases.extend(solid::all());
     cases.extend(family("Galerkin solids", galerkin::all()));
     cases.extend(family("Fluids", fluid::all()));

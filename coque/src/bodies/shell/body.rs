@@ -12,7 +12,7 @@ use super::contacts::contacts;
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
 use super::warnings::{among_preloaded_modes, between_lines};
-use super::yielding::yielding;
+use super::yielding::{warnings, yielding};
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray, StaticBody};
 use crate::bodies::sampled::POINT_NUMBERS;
@@ -93,7 +93,8 @@ impl Body for Shell {
     }
 
     fn diagnostics(&self) -> Diagnostics {
-        Diagnostics { fluid: None, warnings: between_lines(self).into_iter().collect() }
+        let warnings = between_lines(self).into_iter().chain(warnings(self)).collect();
+        Diagnostics { fluid: None, warnings }
     }
 
     fn support_resultant(&self) -> Option<Resultant> {

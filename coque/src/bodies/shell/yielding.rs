@@ -3,6 +3,10 @@
 use sph_shell::Shell;
 
 use crate::bodies::Yielding;
+use crate::{Warning, WarningKind};
+
+/// Share of the internal energy above which the control of zero-energy modes holds too much \[–\]: where cells are fine enough it has some per cent.
+const MUCH: f64 = 0.05;
 
 /// By particle: the greatest plastic strain and the least thickness of the cells round it, and its share of what they dissipated.
 pub(super) fn yielding(shell: &Shell) -> Vec<Yielding> {
@@ -20,6 +24,33 @@ pub(super) fn yielding(shell: &Shell) -> Vec<Yielding> {
             of.thickness = of.thickness.min(thickness * own.thickness);
             of.dissipated += own.dissipated * own.area / cell.count as f64;
         }
+    }
+    out
+}
+
+/// What may be wrong with the states of a shell that yields.
+pub(super) fn warnings(shell: &Shell) -> Vec<Warning> {
+    let of_cells = shell.yielded();
+    let mut out = Vec::new();
+    let greatest = of_cells.iter().fold(0.0_f64, |most, own| most.max(own.plastic_strain));
+    let data = shell.plastic_section().and_then(|section| section.data_until());
+    if let Some(until) = data.filter(|until| greatest > *until) {
+        let message = format!(
+            "plastic strains reach {greatest:.3}, and the table of hardening ends at {until:.3}: its last slope was kept; add rows to \
+             material.plastic.hardening.table"
+        );
+        out.push(Warning { kind: WarningKind::BeyondData, message });
+    }
+    let control: f64 = of_cells.iter().map(|own| own.control).sum();
+    let share = control / shell.stored_energy();
+    if share > MUCH {
+        let message = format!(
+            "{:.1} % of the work went into the control of zero-energy modes (over {:.0} %): hinges are narrower than the cells; use more particles \
+             where it yields",
+            100.0 * share,
+            100.0 * MUCH
+        );
+        out.push(Warning { kind: WarningKind::StiffControl, message });
     }
     out
 }

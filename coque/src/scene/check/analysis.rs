@@ -5,6 +5,7 @@ use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::levels::Levels;
 use crate::scene::problem::BodyScene;
+use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::Formulation;
 use crate::scene::statics::{ArcLength, Branches, Linear, LinearSolver, Relaxation, Static, Stop};
 use crate::scene::tools::ToolScene;
@@ -123,6 +124,12 @@ fn check_explicit(scene: &BodyInScene<'_>, explicit: &Explicit) -> Verdict {
     Ok(())
 }
 
+/// Whether levels may fall as well: where what a shell went through is left when it is let go.
+fn may_fall(scene: &BodyInScene<'_>) -> bool {
+    let yields = |shell: &ShellScene| shell.material.yields();
+    matches!(scene.analysis, Analysis::Static(_)) && scene.as_shell().is_some_and(yields)
+}
+
 fn check_levels(scene: &BodyInScene<'_>, at: &str, levels: &Levels) -> Verdict {
     let s = &scene.scope();
     match levels {
@@ -136,7 +143,8 @@ fn check_levels(scene: &BodyInScene<'_>, at: &str, levels: &Levels) -> Verdict {
             for (i, &level) in list.iter().enumerate() {
                 let path = format!("{at}[{i}]");
                 s.sized(&path, level)?;
-                if level <= last {
+                let falls = level < last && level >= 0.0 && may_fall(scene);
+                if level <= last && !falls {
                     let bound = format!("greater than the level {last} before it");
                     return Err(s.value(&path, level, &bound, "sort the levels; they start above 0"));
                 }

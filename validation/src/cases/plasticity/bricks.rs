@@ -53,7 +53,8 @@ impl Bricks {
     pub fn figure(&self, runs: &Runs, words: [&str; 2], axes: [Axis; 2]) -> Result<Vec<Figure>, JudgeError> {
         let table = reference(self.table)?;
         let ways = table.column(self.known[0])?.into_iter();
-        let known = ways.zip(table.column(self.known[1])?).filter(|(way, _)| *way <= self.between[1]).collect();
+        let known =
+            ways.zip(table.column(self.known[1])?).filter(|(way, _)| *way <= self.between[1]).collect();
         let mut series = vec![Series::line("solid elements", known, BLACK, Line::Dashed)];
         let looks = [BLUE, VERMILION, GREEN];
         for (number, run) in runs.iter().enumerate() {

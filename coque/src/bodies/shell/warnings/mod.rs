@@ -36,7 +36,7 @@ struct Rule {
 }
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 22] = [
+const RULES: [Rule; 23] = [
     Rule { kind: WarningKind::NoWork, of: meaningless::no_work },
     Rule { kind: WarningKind::HeldLoad, of: meaningless::held_load },
     Rule { kind: WarningKind::FarNearest, of: meaningless::far_nearest },
@@ -46,6 +46,7 @@ const RULES: [Rule; 22] = [
     Rule { kind: WarningKind::NodalLocking, of: method::nodal },
     Rule { kind: WarningKind::WideThin, of: method::wide },
     Rule { kind: WarningKind::UnevenCells, of: method::uneven },
+    Rule { kind: WarningKind::FewSlices, of: method::few_slices },
     Rule { kind: WarningKind::SharpFold, of: coarse::fold },
     Rule { kind: WarningKind::TiedBothSides, of: tied::both_sides },
     Rule { kind: WarningKind::ShallowSheet, of: tied::shallow },
