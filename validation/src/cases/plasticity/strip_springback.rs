@@ -16,7 +16,7 @@ const LEFT: &str = "error of the turn that is left";
 const TANGENT: f64 = 1.0 / 51.0;
 /// Length times the curvature of first yield, and the couple over that of first yield.
 const TURN: f64 = 100.0 * 0.002;
-const COUPLE: f64 = 553.92 / (1000.0 / 3.0);
+const COUPLE: f64 = 55.392 / (100.0 / 3.0);
 
 /// Errors \[%\].
 const OF_BENT: Measured = Measured(&[(STATIC, &[("6 slices", 1.0), ("10 slices", 1.0), ("40 slices", 1.0)])]);

@@ -1,0 +1,165 @@
+//! Shells that yield and rubber, in scenes: what is refused, the same bits, statics against a march, the elastic limit, steps, energies.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use common::sittings::stopped_again_and_again;
+use common::{Replaced, column, last, overridden, refusal, run, text};
+use coque::{Ended, Outcome};
+
+const STRIP: &str = "strip-springback.toml";
+const HEMISPHERE: &str = "hemisphere-yielding.toml";
+const STRUCK: &str = "../coque/tests/yielding/struck.toml";
+const TUBE: &str = "tube-inflating.toml";
+
+fn done(name: &str, replaced: Replaced) -> Outcome {
+    let outcome = run(name, replaced);
+    assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
+    outcome
+}
+
+#[test]
+fn broken_materials() {
+    const HARDENING: &str = "material.plastic.hardening";
+    let cases: [(&str, &str, Replaced); 20] = [
+        ("a yield stress of zero", STRIP, &[("material.plastic.hardening.linear.yield-stress", "0.0")]),
+        ("a slope that falls", STRIP, &[("material.plastic.hardening.linear.slope", "-1.0")]),
+        ("two curves", STRIP, &[("material.plastic.hardening.table", "[[0, 1], [1, 2]]")]),
+        ("one row", STRIP, &[(HARDENING, "{ table = [[0, 248]] }")]),
+        ("a first row past zero", STRIP, &[(HARDENING, "{ table = [[0.1, 248], [0.2, 250]] }")]),
+        ("rows out of order", STRIP, &[(HARDENING, "{ table = [[0, 248], [0.2, 250], [0.1, 260]] }")]),
+        ("a stress that falls", STRIP, &[(HARDENING, "{ table = [[0, 248], [0.1, 240]] }")]),
+        (
+            "an exponent beyond one",
+            STRIP,
+            &[(HARDENING, "{ swift = { factor = 500, offset = 0.01, exponent = 1.2 } }")],
+        ),
+        ("incompressible", STRIP, &[("material.plastic.poisson", "0.5")]),
+        ("one slice", STRIP, &[("section.homogeneous.slices", "1")]),
+        ("Gauss points", STRIP, &[("section.homogeneous.gauss_points", "3")]),
+        ("slices of what does not yield", "plate.toml", &[("section.homogeneous.slices", "6")]),
+        ("small strains", STRIP, &[("formulation.stress-point.curvature", "'stretch-corrected'")]),
+        ("nodal sampling", STRIP, &[("formulation", "{ nodal = {} }")]),
+        ("a linear analysis", STRIP, &[("analysis", "{ linear = {} }")]),
+        ("an initial stress", STRIP, &[("initial_stress", "[{ on = 'all', membrane = [1, 1, 0] }]")]),
+        ("levels that fall below zero", STRIP, &[("analysis.static.levels", "[1.0, -0.5]")]),
+        ("a stress at a face", STRIP, &[("curve[0].of", "'stress'"), ("curve[0].face", "'top'")]),
+        ("plastic strain of what does not yield", "plate.toml", &[("curve[0].of", "'plastic-strain'")]),
+        ("rubber that releases energy", TUBE, &[("material.rubber.law", "{ ogden = [[1.0, -2.0]] }")]),
+    ];
+    let said = cases.map(|(what, name, replaced)| format!("== {what}\n{}\n", refusal(name, replaced, 100)));
+    insta::assert_snapshot!(said.concat());
+}
+
+#[test]
+fn yielding_goes_on_to_the_same_bits() {
+    let coarse = [("geometry.plate.particles", "[11, 3]"), ("analysis.static.levels", "[0.5, 0.8, 1.0, 0.3]")];
+    stopped_again_and_again("springback", &text(STRIP), &coarse, 3);
+    stopped_again_and_again("struck", &text(STRUCK), &[("analysis.explicit.transient.duration", "0.005")], 4);
+}
+
+#[test]
+fn threads_change_no_bit() {
+    let bits = |name: &str, replaced: Replaced, threads: usize| -> Vec<u64> {
+        let scene = overridden(&text(name), "../scenes/scene.toml", replaced).unwrap();
+        let outcome = scene.build(threads).unwrap().run(&mut coque::Silent);
+        assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
+        outcome.curve.rows.iter().flatten().map(|value| value.to_bits()).collect()
+    };
+    // More packs than one chunk of a thread.
+    let scenes: [(&str, Replaced); 2] = [
+        (STRUCK, &[("geometry.plate.particles", "[101, 31]"), ("analysis.explicit.transient.duration", "0.001")]),
+        (HEMISPHERE, &[("geometry.sphere.particles", "[49, 49]"), ("analysis.static.levels", "[0.2, 0.3]")]),
+    ];
+    for (name, replaced) in scenes {
+        let one = bits(name, replaced, 1);
+        for threads in [2, 3] {
+            assert!(bits(name, replaced, threads) == one, "{name}, {threads} threads");
+        }
+    }
+}
+
+/// Below its yield a material is Hencky's, through the thickness in closed form.
+#[test]
+fn below_its_yield_it_is_elastic() {
+    let short = ("analysis.static.levels", "[0.3, 0.5]");
+    let yielding = done(STRIP, &[short, ("material.plastic.hardening.linear.yield-stress", "1e9")]);
+    let elastic = done(
+        STRIP,
+        &[
+            short,
+            ("material", "{ elastic = { young = 200000.0, poisson = 0.0, density = 7.8e-9 } }"),
+            ("section", "{ homogeneous = { thickness = 1.0 } }"),
+            ("formulation.stress-point.curvature", "'logarithmic'"),
+            ("curve", "[{ name = 'turn', of = 'rotation', on = 'u1', direction = [0, -1, 0] }]"),
+        ],
+    );
+    let turns = column(&yielding, "turn").into_iter().zip(column(&elastic, "turn"));
+    let off = turns.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    println!("{off:.1e}");
+    assert!(off < 1e-10, "{off:.1e}");
+    assert_eq!(last(&yielding, "plastic"), 0.0);
+}
+
+/// A load in more levels: backward Euler, of first order in the step.
+#[test]
+fn more_levels_approach_one_answer() {
+    let inward = |levels: &str| {
+        let coarse = ("geometry.sphere.particles", "[13, 13]");
+        last(&done(HEMISPHERE, &[coarse, ("analysis.static.levels", levels)]), "inward")
+    };
+    let [few, more, many] = ["10", "20", "40"].map(inward);
+    println!("{few} {more} {many}: {:.1e} {:.1e}", few - more, more - many);
+    // 8.0 inward; the directions of flow turn little here.
+    assert!((more - many).abs() < 0.7 * (few - more).abs(), "{few} {more} {many}");
+    assert!((more - many).abs() < 5e-3 * many, "{more} {many}");
+}
+
+#[test]
+fn a_quasi_static_march_agrees_with_statics() {
+    let coarse = [("geometry.sphere.particles", "[9, 9]"), ("loads[0].force.total", "[0.012, 0.0, 0.0]")];
+    let both = |analysis: &'static str| {
+        let [a, b] = coarse;
+        let replaced = [a, b, ("loads[1].force.total", "[0.0, -0.012, 0.0]"), ("analysis", analysis)];
+        let outcome = done(HEMISPHERE, &replaced);
+        [last(&outcome, "inward"), last(&outcome, "plastic")]
+    };
+    let still = both("{ static = { levels = 16 } }");
+    let marched = both("{ explicit = { quasi-static = { levels = 16 } } }");
+    println!("{still:?} {marched:?}");
+    for (a, b) in still.into_iter().zip(marched) {
+        assert!((a / b - 1.0).abs() < 1e-2, "{still:?} {marched:?}");
+    }
+    assert!(still[1] > 1e-3, "{still:?}");
+}
+
+/// Motion turns into what is stored and what is dissipated, and the sum stays; what is dissipated never comes back.
+#[test]
+fn the_energy_of_a_struck_strip_closes() {
+    let outcome = done(STRUCK, &[]);
+    let [kinetic, internal, lost] = ["kinetic", "internal", "lost"].map(|name| column(&outcome, name));
+    let start = kinetic[0] + internal[0];
+    let off = kinetic.iter().zip(&internal).map(|(k, i)| (k + i - start).abs() / start).fold(0.0, f64::max);
+    println!("{off:.1e}; dissipated {:.3} of it", lost[lost.len() - 1] / start);
+    assert!(off < 3e-3, "{off:.1e}");
+    assert!(lost.windows(2).all(|pair| pair[1] >= pair[0]), "{lost:?}");
+    assert!(lost[lost.len() - 1] > 0.3 * start);
+    // It gets thinner where it is drawn out.
+    assert!(last(&outcome, "t") < 0.02);
+}
+
+/// `p R/t = 2 c1 (1 − λ⁻⁴)`.
+#[test]
+fn a_tube_of_rubber_is_blown_up() {
+    let outcome = done(TUBE, &[]);
+    let mut worst = 0.0_f64;
+    for (level, r) in column(&outcome, "level").into_iter().zip(column(&outcome, "r")) {
+        let stretch = r / 100.0;
+        worst = worst.max((0.9375 * level - (1.0 - stretch.powi(-4))).abs());
+    }
+    println!("{worst:.1e}; to {}", last(&outcome, "r"));
+    // Cells of a polygon, and bending of t/R = 1/100.
+    assert!(worst < 1e-3, "{worst:.1e}");
+    assert!(last(&outcome, "r") > 190.0);
+}
