@@ -20,7 +20,7 @@ pub struct NewtonOptions {
     /// ([`Equilibrium::keeps_factor`]); 0 gives every iterate its own. Default 0.03.
     pub keep: f64,
     /// Whether the tangent of each balance is factorised for its inertia, by which paths see critical points; else the inertia
-    /// is that of the last factor, of an iterate near it. Default true.
+    /// is that of the last factor, of an iterate near it, and zero where none was made. Default true.
     pub inertia: bool,
 }
 
