@@ -141,7 +141,8 @@ pub(super) fn of(case: &Case, ran: &OnLattices, metrics: &[Vec<Metric>]) -> Vec<
         Some(Dot {
             name: format!("{}: {} {}: {}", case.name, ran.variant.method, ran.variant.grid, metric.name),
             family: case.family,
-            shell: !OTHERS.contains(&case.family) || METHODS.iter().any(|known| known.method == ran.variant.method),
+            shell: !OTHERS.contains(&case.family)
+                || METHODS.iter().any(|known| known.method == ran.variant.method),
             half: half(case.name),
             theory: OTHER_THEORIES.iter().find(|(name, _)| *name == case.name).map(|(_, theory)| *theory),
             value,
