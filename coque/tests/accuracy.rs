@@ -8,9 +8,9 @@ use std::ops::ControlFlow;
 use std::process::Command;
 use std::time::Duration;
 
-use common::scene;
-use coque::Checked;
+use common::{scene, scenes};
 use coque::accuracy::{Asked, Forecast, Rung};
+use coque::{Checked, Curve};
 
 /// Four lattices of each method, so that what is finer is predicted.
 fn asked(accuracy: f64) -> Asked {
@@ -104,7 +104,7 @@ fn what_has_no_lattice_is_refused_by_name() {
 fn the_command_prints_what_is_needed_and_why() {
     let said = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_coque"));
-        command.arg("check").arg(common::scenes().join("plate-clamped.toml")).args(arguments);
+        command.arg("check").arg(scenes().join("plate-clamped.toml")).args(arguments);
         let output = command.output().unwrap();
         let text = [output.stdout, output.stderr].concat();
         (output.status.code(), String::from_utf8(text).unwrap())
@@ -122,5 +122,41 @@ fn the_command_prints_what_is_needed_and_why() {
     ] {
         let (code, text) = said(arguments);
         assert!(code == Some(2) && text.contains(words), "{arguments:?}: {text}");
+    }
+}
+
+/// Runs a scene to an accuracy; what it says, the copy of the scene, and the widest bar of a column over its greatest value.
+fn to_accuracy(name: &str, set: &[&str], accuracy: &str, column: &str) -> (String, String, f64) {
+    let out = std::env::temp_dir().join(format!("coque-to-accuracy-{name}-{}", std::process::id()));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_coque"));
+    command.arg("run").arg(scenes().join(format!("{name}.toml"))).arg("--out").arg(&out);
+    command.args(["--accuracy", accuracy]).args(set.iter().flat_map(|set| ["--set", set]));
+    let said = command.output().unwrap();
+    let words = String::from_utf8(said.stderr).unwrap();
+    assert!(said.status.success(), "{words}");
+    let curve: Curve = std::fs::read_to_string(out.join("curve.csv")).unwrap().parse().unwrap();
+    let text = std::fs::read_to_string(out.join("scene.toml")).unwrap();
+    std::fs::remove_dir_all(out).unwrap();
+    let greatest =
+        |name: &str| curve.column(name).unwrap().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    (words, text, greatest(&format!("{column} ±")) / greatest(column))
+}
+
+#[test]
+fn a_fluid_and_several_bodies_run_once_more_where_their_bars_ask_for_it() {
+    let short = "analysis.explicit.transient={ duration = 0.05, record_every = 0.01 }";
+    let coarse = "bodies.water.fluid.geometry.block.spacing=0.0146";
+    let cases: [(&str, &[&str], &str, &str, &str); 2] = [
+        ("dam-break", &[short, coarse], "0.1%", "front", "bodies.water.fluid.geometry.block.spacing="),
+        ("joined-cantilevers", &[], "0.005%", "w_upper", "bodies.upper.shell.geometry.plate.particles="),
+    ];
+    for (name, set, accuracy, column, lattice) in cases {
+        let (words, text, first) = to_accuracy(name, set, "50%", column);
+        assert!(words.contains("have no lattice to forecast: its own first"), "{words}");
+        assert!(words.contains("every bar is within 50 %"), "{words}");
+        let given = text.matches(lattice).count();
+        let (words, text, second) = to_accuracy(name, set, accuracy, column);
+        assert!(words.contains("once more on ") && text.matches(lattice).count() == given + 1, "{words}");
+        assert!(second < 0.9 * first, "{name}: {second}, {first}");
     }
 }

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
 use std::fs;
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
@@ -257,4 +258,32 @@ fn checkpoints_where_none_can_be_kept_are_refused() {
     assert_eq!(refused.status.code(), Some(2));
     let said = String::from_utf8_lossy(&refused.stderr);
     assert!(said.contains("an arc-length analysis, which cannot go on from its middle"), "{said}");
+}
+
+#[test]
+fn a_run_whose_sharpening_is_interrupted_is_kept_with_its_bars() {
+    let roof = |name: &str, error: &str| {
+        let out = folder(name);
+        let set = ["--set", "geometry.cylinder.particles=[61, 61]", "--set", error];
+        let path = out.to_string_lossy().into_owned();
+        let arguments = ["run", "scenes/scordelis-lo.toml", "--out", &path].into_iter().chain(set);
+        (coque(&arguments.collect::<Vec<_>>()), out)
+    };
+    let (mut whole, kept) = roof("barred", "error={}");
+    finished(&whole.output().unwrap());
+    let (mut sharpened, out) = roof("sharpened", "error={ sharpen = true }");
+    let mut run = sharpened.spawn().unwrap();
+    let mut said = BufReader::new(run.stderr.take().unwrap());
+    let mut words = String::new();
+    while !words.contains("for the errors: 3 of 3") {
+        assert!(said.read_line(&mut words).unwrap() > 0, "{words}");
+    }
+    signal(&run, "-INT");
+    said.read_to_string(&mut words).unwrap();
+    // The run itself came to its end.
+    assert_eq!(run.wait().unwrap().code(), Some(0), "{words}");
+    assert!(words.contains("a run on another lattice was interrupted"), "{words}");
+    let curve = |out: &Path| fs::read_to_string(out.join("curve.csv")).unwrap();
+    assert!(curve(&out).contains("w_edge ±"));
+    assert_eq!(curve(&out), curve(&kept));
 }

@@ -119,6 +119,10 @@ fn a_roof_becomes_a_mesh_on_its_own_surface() {
     let said = refine(&[scene.to_str().unwrap(), "--by", "50%", "--out", out.to_str().unwrap()]);
     assert!(said.status.success(), "{said:?}");
     let text = fs::read_to_string(&out).unwrap();
+    assert!(
+        text.starts_with("# Scordelis-Lo roof: ") && text.contains("density = 360.0   # density"),
+        "{text}"
+    );
     let finer = coque::Scene::parse(&text, out.to_str().unwrap()).unwrap();
     let model = finer.build(1).unwrap();
     let rest = model.body.body().configuration().rest.to_vec();
@@ -198,11 +202,36 @@ fn an_accuracy_of_a_mesh_takes_a_finer_one() {
 }
 
 #[test]
+fn without_a_share_lattices_have_half_their_spacing_and_the_text_stays() {
+    let folder = folder("doubled");
+    // A shell, a fluid in its basin, a solid.
+    for (name, from, to) in [
+        ("scordelis-lo", "particles = [21, 21]", "particles = [41, 41]"),
+        ("dam-break", "spacing = 0.0073 }", "spacing = 0.00365 }"),
+        ("cantilever-solid", "spacing = 12.7 }", "spacing = [6.35, 6.35, 6.35] }"),
+    ] {
+        let (scene, out) = (scenes().join(format!("{name}.toml")), folder.join(format!("{name}.toml")));
+        let said = refine(&[scene.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+        assert!(said.status.success(), "{said:?}");
+        let (before, after) = (fs::read_to_string(&scene).unwrap(), fs::read_to_string(&out).unwrap());
+        let before: String = before.lines().skip(1).map(|line| format!("{line}\n")).collect();
+        assert!(before.contains(from), "{before}");
+        let lines = before.lines().zip(after.lines());
+        let changed: Vec<_> = lines.filter(|(before, after)| before != after).collect();
+        assert_eq!((changed.len(), before.lines().count()), (1, after.lines().count()), "{changed:?}");
+        assert!(changed[0].1.contains(to), "{changed:?}");
+        assert!(!out.with_extension("inp").exists());
+        coque::Scene::parse(&after, out.to_str().unwrap()).unwrap();
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
 fn what_cannot_be_refined_is_refused_with_what_to_do() {
     let folder = folder("refused");
     let out = folder.join("finer.toml");
     for (scene, by, words) in [
-        ("scordelis-lo.toml", None, "a lattice is refined all over by its `particles`"),
+        ("ball-on-plate.toml", Some("50%"), "one shell alone is refined"),
         ("dam-break.toml", Some("50%"), "one shell alone is refined"),
         ("plate.toml", Some("0%"), "give a share above 0"),
     ] {
@@ -215,4 +244,68 @@ fn what_cannot_be_refined_is_refused_with_what_to_do() {
         assert!(!out.exists());
     }
     fs::remove_dir_all(folder).unwrap();
+}
+
+/// What stands behind the geometry in every text.
+const REST: &str = r#"
+[material.elastic] # of the sheet
+young = 1e7
+poisson = 0.3
+density = 1.0
+
+[section.homogeneous]
+thickness = 0.001
+
+[[supports]]
+on = "u0"
+clamped = {}
+
+[[loads]]
+on = "all" # its weight
+gravity = { acceleration = [0.0, 0.0, 1.0] }
+
+[analysis.linear]
+
+[[curve]] # what is measured
+name = "w"
+of = "displacement"
+on = "all"
+direction = [0.0, 0.0, 1.0]
+take = "max"
+"#;
+
+/// A sheet, its geometry written in three ways.
+fn sheets() -> [String; 3] {
+    let head = "# A sheet.\n#   coque run sheet.toml\ntitle = \"Sheet\"\nunits = { length = \"m\", force = \"N\", time = \"s\" } # SI\n";
+    let geometries = [
+        "\n# Its surface.\n[geometry.plate]\nlengths = [1.0, 2.0]\nparticles = [5, 9] # square cells\n",
+        "# Its surface.\ngeometry.plate = { lengths = [1.0, 2.0], particles = [5, 9] }\n",
+        "# Its surface.\ngeometry = { plate = { lengths = [1.0, 2.0], particles = [5, 9] } }\n",
+    ];
+    geometries.map(|geometry| format!("{head}{geometry}{REST}"))
+}
+
+#[test]
+fn a_lattice_of_half_the_spacing_changes_its_numbers_alone() {
+    for text in sheets() {
+        let finer = overridden(&text, "sheet.toml", &[]).unwrap().alike(0.5, 1).unwrap();
+        assert_eq!(finer.on_lattice(&text).unwrap(), text.replace("[5, 9]", "[9, 17]"));
+    }
+}
+
+#[test]
+fn a_mesh_takes_the_place_of_a_geometry_and_comments_stay() {
+    for text in sheets() {
+        let scene = overridden(&text, "sheet.toml", &[]).unwrap();
+        let written = scene.on_mesh(&text, "sheet.inp").unwrap();
+        for kept in ["# A sheet.", "# SI", "# Its surface.", REST] {
+            assert!(written.contains(kept), "{kept} in {written}");
+        }
+        assert!(!written.contains("plate") && written.contains("file = \"sheet.inp\""), "{written}");
+        // A mesh of a mesh keeps its unit.
+        let end = if written.contains("[geometry.mesh]") { "\n" } else { ", " };
+        let scaled = written.replace("file =", &format!("scale = 2.0{end}file ="));
+        let again = scene.on_mesh(&scaled, "finer.inp").unwrap();
+        assert!(again.contains("scale = 2.0") && again.contains("\"finer.inp\""), "{again}");
+    }
 }

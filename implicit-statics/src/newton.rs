@@ -249,7 +249,8 @@ impl Newton {
                 if let Err(found) = system.within_bounds() {
                     return Err(EquilibriumError::OutOfBounds { step: self.step, level, found });
                 }
-                let inertia = self.tangent(system, level)?;
+                let inertia =
+                    if self.options.inertia { self.tangent(system, level)? } else { self.solver.inertia() };
                 self.force_scale = self.force_scale.max(norm(&self.external)).max(norm(&self.internal));
                 *at = level;
                 return Ok(Iterated::Balanced(Converged { level, iterations, residuals, bound, inertia }));

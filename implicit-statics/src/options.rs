@@ -19,11 +19,14 @@ pub struct NewtonOptions {
     /// Share of the residual before below which an iterate goes on with the factor at hand, where the system keeps factors
     /// ([`Equilibrium::keeps_factor`]); 0 gives every iterate its own. Default 0.03.
     pub keep: f64,
+    /// Whether the tangent of each balance is factorised for its inertia, by which paths see critical points; else the inertia
+    /// is that of the last factor, of an iterate near it, and zero where none was made. Default true.
+    pub inertia: bool,
 }
 
 impl Default for NewtonOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-9, iterations: 15, line_search: true, keep: 0.03 }
+        Self { tolerance: 1e-9, iterations: 15, line_search: true, keep: 0.03, inertia: true }
     }
 }
 

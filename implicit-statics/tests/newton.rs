@@ -335,3 +335,24 @@ fn a_factor_that_still_serves_is_kept_where_the_system_asks_for_it() {
     let (kept, always) = (run(true), run(false));
     assert!(kept < always, "{kept} tangents for {always}");
 }
+
+#[test]
+fn without_the_inertia_of_a_balance_a_factor_less_is_made_and_its_state_is_the_same() {
+    let run = |inertia: bool| {
+        let mut spring = CountedSpring { q: 0.0, keeps: false, tangents: 0 };
+        let mut newton = Newton::new(&spring, &NewtonOptions { inertia, ..tight() }).unwrap();
+        let mut iterations = 0;
+        for level in [0.0, 1.0, 2.0, 3.0] {
+            // Whoever moves the state leaves no factor to begin with.
+            newton.has_moved();
+            let converged = newton.at_level(&mut spring, level).unwrap();
+            assert_eq!(converged.inertia.positive, usize::from(inertia || level > 0.0));
+            iterations += converged.iterations;
+        }
+        (spring.q.to_bits(), iterations, spring.tangents)
+    };
+    let ((state, iterations, with), (other, same, without)) = (run(true), run(false));
+    assert_eq!((state, iterations), (other, same));
+    // One for each of the four levels.
+    assert_eq!(with, without + 4);
+}

@@ -72,7 +72,8 @@ fn body(
 
 /// Iterations, factorisations and solves of so many equal levels, and the internal energy at the end.
 fn counts(mut system: StaticShell, levels: usize, keep: f64) -> (usize, Effort, f64) {
-    let newton = NewtonOptions { tolerance: 1e-9, iterations: 15, line_search: false, keep };
+    let newton =
+        NewtonOptions { tolerance: 1e-9, iterations: 15, line_search: false, keep, ..Default::default() };
     let mut solver = Newton::new(&system, &newton).unwrap();
     let (mut start, mut iterations, mut effort) = (Start::default(), 0, Effort::default());
     for level in 1..=levels {

@@ -161,7 +161,13 @@ fn a_tube_buckles_at_three_under_follower_pressure_and_at_four_under_dead() {
 fn residuals_fall_quadratically_under_follower_pressure() {
     let thickness: f64 = 0.05;
     let mut system = quarter([25, 3], thickness, true);
-    let options = NewtonOptions { tolerance: 1e-12, iterations: 30, line_search: false, keep: 0.0 };
+    let options = NewtonOptions {
+        tolerance: 1e-12,
+        iterations: 30,
+        line_search: false,
+        keep: 0.0,
+        ..Default::default()
+    };
     let mut newton = Newton::new(&system, &options).unwrap();
     // An oval beyond the critical pressure, reached from a bent start: the pressure turns by much on the way.
     let critical = 3.0 * YOUNG * thickness.powi(3) / (12.0 * (1.0 - POISSON * POISSON));
@@ -239,7 +245,13 @@ fn supports_bear_what_the_loads_are() {
         cells: (3..9).collect(),
         factors: Vec::new(),
     })));
-    let options = NewtonOptions { tolerance: 1e-12, iterations: 30, line_search: false, keep: 0.0 };
+    let options = NewtonOptions {
+        tolerance: 1e-12,
+        iterations: 30,
+        line_search: false,
+        keep: 0.0,
+        ..Default::default()
+    };
     Newton::new(&system, &options).unwrap().at_level(&mut system, 1.0).unwrap();
     system.evaluate(1.0);
     let shell = system.shell();

@@ -50,7 +50,7 @@ impl Checked {
         let (surface, fine) = match surface(self)? {
             Some((_, surface)) => (surface, None),
             None if by.is_none() => {
-                return Err("a lattice is refined all over by its `particles`; give a share with --by for a mesh where its error is".into());
+                return Err("a lattice has no faces to cut; take one of half its spacing, or a share of its error for a mesh".into());
             }
             None => of_lattice(self, shell, threads)?,
         };
@@ -72,35 +72,6 @@ impl Checked {
         }
         let marked = [surface.faces.len(), marks.iter().filter(|mark| **mark).count()];
         Ok(Graded { arrays, nodes: surface.positions.len(), marked, error })
-    }
-}
-
-impl Checked {
-    /// Its text with a mesh in the place of its geometry; comments are not kept.
-    ///
-    /// # Errors
-    /// In words: a text that is not that of the scene.
-    pub fn on_mesh(&self, text: &str, file: &str) -> Result<String, String> {
-        let mut table: toml::Table =
-            text.parse().map_err(|error| format!("the scene does not read: {error}"))?;
-        let mut mesh = toml::Table::from_iter([("file".to_string(), toml::Value::from(file))]);
-        let name = self.bodies.keys().next().filter(|_| table.contains_key("bodies"));
-        let shell = match name {
-            Some(name) => {
-                let body = table.get_mut("bodies").and_then(|bodies| bodies.get_mut(name));
-                body.and_then(|body| body.get_mut("shell")).and_then(toml::Value::as_table_mut)
-            }
-            None => Some(&mut table),
-        };
-        let shell = shell.ok_or("the scene has no shell in its text")?;
-        let before = shell.get("geometry").and_then(|geometry| geometry.get("mesh"));
-        if let Some(toml::Value::Table(before)) = before {
-            let kept = before.iter().filter(|(key, _)| *key != "file");
-            mesh.extend(kept.map(|(key, value)| (key.clone(), value.clone())));
-        }
-        let geometry = toml::Table::from_iter([("mesh".to_string(), toml::Value::Table(mesh))]);
-        shell.insert("geometry".into(), toml::Value::Table(geometry));
-        toml::to_string_pretty(&table).map_err(|error| error.to_string())
     }
 }
 

@@ -26,6 +26,7 @@ mod nested;
 mod pairing;
 mod probes;
 mod refined;
+mod rewritten;
 mod said;
 
 use std::ops::ControlFlow;

@@ -29,8 +29,11 @@ pub(super) struct StartedLevels {
 
 impl StartedLevels {
     /// At the levels of an analysis, with an increment of position and director of each particle for each of them.
+    ///
+    /// Each level is begun from a state that is moved, which a factor of the last balance does not serve: none is made for its inertia alone.
     pub fn new(wanted: &Static, increments: Vec<Vec<f64>>) -> Self {
-        let newton = newton(wanted.tolerance.get(), wanted.iterations.get());
+        let newton =
+            NewtonOptions { inertia: false, ..newton(wanted.tolerance.get(), wanted.iterations.get()) };
         Self { list: wanted.levels.list(), newton, increments, found: 0, solver: None }
     }
 

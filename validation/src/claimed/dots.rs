@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::OnLattices;
 use crate::Metric;
 use crate::judge::Case;
+use crate::methods::METHODS;
 use crate::metric_names::KNOWN;
 
 /// Relative difference of two references that are one.
@@ -33,7 +34,7 @@ const NO_ANSWERS: [&str; 12] = [
 ];
 
 /// Cases whose references are of another theory than what is run, which no lattice approaches, and of which.
-const OTHER_THEORIES: [(&str, &str); 14] = [
+const OTHER_THEORIES: [(&str, &str); 19] = [
     ("turek-hron", "a plane solid"),
     ("clamped-strip", "a beam without shear"),
     ("gate-alone", "a slender cantilever"),
@@ -48,6 +49,21 @@ const OTHER_THEORIES: [(&str, &str); 14] = [
     ("pinched-cylinder-large", "the mesh of another program"),
     ("plate-stability", "plates without a horizon"),
     ("column-solid", "a column without shear"),
+    ("cantilever-solid", "a beam"),
+    ("plate-solid", "a plate without shear"),
+    ("pressed-ring", "the elastica, which does not stretch"),
+    ("hydrostatic-column", "a thin strip"),
+    ("wall-impact", "an experiment"),
+];
+
+/// Families whose runs are no shells, unless by a method of shells.
+const OTHERS: [&str; 6] = [
+    "Peridynamic solids",
+    "Cracks in peridynamic solids",
+    "Peridynamic plates",
+    "Galerkin solids",
+    "Fluids",
+    "Fluids and structures",
 ];
 
 /// The half of the cases that a dot belongs to.
@@ -67,6 +83,8 @@ pub struct Dot {
     pub name: String,
     /// Family of the case.
     pub family: &'static str,
+    /// Whether a shell in no fluid is run, of whatever family its case is.
+    pub shell: bool,
     /// Half of the case.
     pub half: Half,
     /// The theory of the reference, where it is another than that of the run.
@@ -123,6 +141,8 @@ pub(super) fn of(case: &Case, ran: &OnLattices, metrics: &[Vec<Metric>]) -> Vec<
         Some(Dot {
             name: format!("{}: {} {}: {}", case.name, ran.variant.method, ran.variant.grid, metric.name),
             family: case.family,
+            shell: !OTHERS.contains(&case.family)
+                || METHODS.iter().any(|known| known.method == ran.variant.method),
             half: half(case.name),
             theory: OTHER_THEORIES.iter().find(|(name, _)| *name == case.name).map(|(_, theory)| *theory),
             value,

@@ -47,28 +47,17 @@ impl Share {
 /// Groups of the table: all of a half, and what of it is no shell.
 fn groups(dots: &[Dot]) -> Vec<(&'static str, Option<Share>)> {
     let of = |half: Half| dots.iter().filter(move |dot| dot.half == half && dot.theory.is_none());
-    let shell = |dot: &&Dot| !OTHERS.contains(&dot.family);
     vec![
         ("judged half, references of the same theory", Share::of(of(Half::Judged))),
-        ("… without shells", Share::of(of(Half::Judged).filter(|dot| !shell(dot)))),
+        ("… without shells", Share::of(of(Half::Judged).filter(|dot| !dot.shell))),
         ("half of the choice, references of the same theory", Share::of(of(Half::Chosen))),
-        ("… without shells", Share::of(of(Half::Chosen).filter(|dot| !shell(dot)))),
+        ("… without shells", Share::of(of(Half::Chosen).filter(|dot| !dot.shell))),
         ("references of other theories", Share::of(dots.iter().filter(|dot| dot.theory.is_some()))),
     ]
 }
 
 /// What is asked of the judged half: percent inside at least, of what is no shell, percent under a third at most, median at most.
 const ASKED: [f64; 4] = [90.0, 85.0, 2.0, 2.5];
-
-/// Families that are no shells.
-const OTHERS: [&str; 6] = [
-    "Peridynamic solids",
-    "Cracks in peridynamic solids",
-    "Peridynamic plates",
-    "Galerkin solids",
-    "Fluids",
-    "Fluids and structures",
-];
 
 /// The verdicts on the half of which the rule knows nothing.
 pub fn judged(dots: &[Dot]) -> Vec<Metric> {
@@ -173,6 +162,7 @@ mod tests {
         let dot = |name: &str, half, family, bar, off| Dot {
             name: format!("{name}: cells: w"),
             family,
+            shell: family == "Shells",
             half,
             theory: None,
             value: 1.0 + off,
