@@ -119,12 +119,11 @@ impl<'a> Sweep<'a> {
         for (index, energy) in packs.zip(energies) {
             let RememberingPack { section, control } = &own[index];
             let (pack, energy) = (index..index + 1, std::slice::from_mut(energy));
-            let law = PointLaw { strain: self.law.strain, section, yielding: Some(control) };
-            match (strain, self.energy) {
-                (Some(strain), false) => {
-                    let law = PointLaw { strain, section, yielding: Some(control) };
-                    self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy);
-                }
+            let yielding = Some(control);
+            let law = PointLaw { strain: self.law.strain, section, yielding };
+            let logarithmic = strain.map(|strain| PointLaw { strain, section, yielding });
+            match (logarithmic, self.energy) {
+                (Some(law), false) => self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy),
                 (None, false) => self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy),
                 (_, true) => self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy),
             }

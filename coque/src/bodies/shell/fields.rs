@@ -255,16 +255,13 @@ impl Content<'_> {
         if self.yielded.is_empty() || !self.forces {
             return Ok(());
         }
-        let fields: [(&str, Quantity, fn(&Yielded) -> f64); 3] = [
-            ("plastic_strain", Quantity::Ratio, |own| own.plastic_strain),
-            ("yielded_share", Quantity::Ratio, |own| own.share),
-            ("dissipated", Quantity::ForcePerLength, |own| own.dissipated),
-        ];
-        for (name, quantity, number) in fields {
+        let mut put = |name: &str, quantity: Quantity, number: &dyn Fn(&Yielded) -> f64| {
             let all = rows(self.yielded.len(), |i| [number(&self.yielded[i]) as f32]);
-            self.put(to, At::Cells, name, quantity, &[], Values::Single(&all))?;
-        }
-        Ok(())
+            self.put(to, At::Cells, name, quantity, &[], Values::Single(&all))
+        };
+        put("plastic_strain", Quantity::Ratio, &|own| own.plastic_strain)?;
+        put("yielded_share", Quantity::Ratio, &|own| own.share)?;
+        put("dissipated", Quantity::ForcePerLength, &|own| own.dissipated)
     }
 
     fn stresses(&self, to: &mut dyn FieldWriter) -> io::Result<()> {

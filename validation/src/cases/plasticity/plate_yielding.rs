@@ -18,7 +18,7 @@ const TABLE: Bricks = Bricks {
 };
 
 /// Errors \[% of the load\].
-const MEASURED: Measured = Measured(&[(STATIC, &[("16 cells", 1.0), ("24 cells", 1.0)])]);
+const MEASURED: Measured = Measured(&[(STATIC, &[("16 cells", 1.2), ("24 cells", 0.87)])]);
 
 /// The scene, its reference, and how far the two may differ.
 pub fn case() -> Case {
