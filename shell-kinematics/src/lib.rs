@@ -55,19 +55,21 @@
 //! ```
 //!
 //! [`Measures`]. Membrane strains e₁₁, e₂₂, g = 2e₁₂ and shears γ₁, γ₂ are their changes from the reference. For the
-//! curvature there are two choices, [`strain_measures`]:
+//! curvature there are three choices, [`strain_measures`]:
 //!
 //! ```text
 //! GreenLagrange       κ_αβ = k_αβ − k_αβ⁰                                          the paper's split, §3 of it
 //! StretchCorrected    κ11  = k11 − k11⁰ − (e11 k11 + ¼ g k12)          κ22 likewise
 //!                     2κ12 = k12 − k12⁰ − ½[(e11 + e22) k12 + g (k11 + k22)]
+//! Logarithmic         h = ½ ln C in place of e,   K = sym(U⁻¹k) − k⁰,   Γ = U⁻¹γ        C = 1 + 2e = U²
 //! ```
 //!
 //! k without a zero is the current total, k12 the sum of both mixed products, as is 2κ12 ([`Strains::curvature`]).
 //! [`GreenLagrange`] mixes stretch into curvature: a strip of thickness t rolled to the curvature k carries
 //! `EIk(1 − (kt)²/6)` and shrinks to `λ² = 1 − (kt)²/6`, which moves the tip of the closed ring of t/L = 0.1 by 7.34 %
 //! of L whatever the particles do. [`StretchCorrected`] divides `x,α·d,β` by the stretch, to first order: the exact
-//! circle under an end couple is an exact solution. It assumes small membrane strain.
+//! circle under an end couple is an exact solution. It assumes small membrane strain. [`Logarithmic`] divides by the stretch whatever its size;
+//! the closed forms and their transposes are in its file.
 //!
 //! # Sections
 //!
@@ -175,6 +177,7 @@
 //! | rigid rotations leave no strain | `rotations_do_not_strain` |
 //! | resultants are the derivative of the energy | `resultants_are_the_derivative_of_the_energy` |
 //! | the split is the paper's tensor to first order in ζ | `the_split_is_the_papers_tensor_to_first_order_in_the_thickness` |
+//! | logarithmic strains are those of the eigenvectors; their transposes and gradients | tests/log_strain.rs |
 //! | a circle is free of membrane force, for the corrected curvature only | `a_circle_is_free_of_membrane_force_for_the_corrected_curvature_only` |
 //! | R is the exponential, 𝕎 gives the angular velocity | `rodrigues_is_the_exponential`, `tangent_map_gives_the_angular_velocity` |
 //! | transport is the paper's update, the rate is carried | `parallel_transport_is_the_papers_update` |

@@ -192,7 +192,8 @@
 //! ```
 //!
 //! A march commits at the end of each step, [`StaticShell`] a state that is accepted; saved states and [`Shell::history`] hold h₀. The stable
-//! step is that of unloading, h₀ held. The control of zero-energy modes keeps the stiffness at rest; initial stress and regions go with no memory.
+//! step is that of unloading, h₀ held. The control of zero-energy modes follows the share ψ of the section
+//! that did not flow, `S = S⁰ + ψ k (s − s⁰)`, released by a commit to `S⁰ min(1, ψ/ψ⁰)`; initial stress and regions go with no memory.
 //!
 //! # Supports and loads
 //!

@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 32] = [
+const SCENES: [(&str, Replaced); 36] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -52,6 +52,10 @@ const SCENES: [(&str, Replaced); 32] = [
     ("../coque/tests/solids_on_tools/thrown.toml", &[]),
     ("../coque/tests/solids_on_tools/pressed.toml", &[("analysis.static.tolerance", "1e-13")]),
     ("block-on-flat.toml", &[]),
+    ("strip-springback.toml", &[]),
+    ("hemisphere-yielding.toml", &YIELDING),
+    ("tube-inflating.toml", &[("analysis.static.levels", "4")]),
+    ("../coque/tests/yielding/struck.toml", &[("analysis.explicit.transient.duration", "0.002")]),
     ("../coque/tests/metamorphic/difference.toml", &[]),
     ("../coque/tests/metamorphic/bent.toml", &[]),
     ("plate-clamped-solid.toml", &[]),
@@ -65,6 +69,10 @@ const CANTILEVERS: [(&str, &str); 3] = [
     ("bodies.lower.shell.geometry.plate.particles", "[29, 4]"),
     ("analysis.static.levels", "3"),
 ];
+
+/// Well into its yield.
+const YIELDING: [(&str, &str); 2] =
+    [("geometry.sphere.particles", "[9, 9]"), ("analysis.static.levels", "[0.1, 0.2, 0.3, 0.4]")];
 
 /// It begins to slide.
 const PLATES: [(&str, &str); 1] = [("analysis.explicit.transient.duration", "0.1")];
