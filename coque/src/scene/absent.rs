@@ -23,20 +23,23 @@ type Row = (&'static [&'static str], &'static [&'static str], Absent);
 
 const ROWS: &[Row] = &[
     (
-        &["plastic", "elastoplastic", "yield", "hardening", "von_mises", "johnson_cook", "creep"],
+        &["plasticity", "elastoplastic", "yield", "hardening", "von_mises"],
         &["material", "elastic", "orthotropic"],
-        NotYet {
-            feature: "plasticity",
-            nearest: "an elastic material and a column `of = \"von-mises\"`, which tells where yielding would begin",
-        },
+        Instead(
+            "a shell that yields has [material.plastic], with `hardening = { linear = { yield-stress = 248.0 } }`; solids do not yield",
+        ),
     ),
     (
-        &["hyperelastic", "neo_hooke", "mooney", "ogden", "rubber", "svk", "saint_venant"],
+        &["johnson_cook", "cowper_symonds", "creep"],
+        &["material", "elastic", "orthotropic"],
+        NotYet { feature: "flow that depends on time", nearest: "[material.plastic] of a shell" },
+    ),
+    (
+        &["hyperelastic", "neo_hooke", "mooney", "ogden", "svk", "saint_venant"],
         &["material", "elastic"],
-        NotYet {
-            feature: "rubber-like laws",
-            nearest: "[material.elastic], which is right at any rotation while strains stay small",
-        },
+        Instead(
+            "a shell of rubber has [material.rubber], with `law = { neo-hooke = { c1 = 0.5 } }`; solids have none",
+        ),
     ),
     (
         &["viscoelastic", "prony", "maxwell", "kelvin"],
@@ -277,8 +280,12 @@ mod tests {
             Some(NotYet { feature, .. }) => feature,
             other => panic!("{word}: {other:?}"),
         };
-        assert_eq!(feature("Plasticity", "bodies.strip.shell.material", &["elastic"]), "plasticity");
-        assert_eq!(feature("yield-stress", "material.elastic", &["young"]), "plasticity");
+        assert_eq!(feature("creep", "material.elastic", &["young"]), "flow that depends on time");
+        assert!(matches!(
+            absent("Plasticity", "bodies.strip.shell.material", &["elastic"]),
+            Some(Instead(_))
+        ));
+        assert!(matches!(absent("yield-stress", "material.elastic", &["young"]), Some(Instead(_))));
         assert_eq!(feature("implicit", "analysis", &["explicit"]), "implicit steps in time");
         assert!(matches!(absent("fixed", "supports[2]", &["clamped"]), Some(Instead(_))));
     }

@@ -145,8 +145,17 @@ fn check_levels(scene: &BodyInScene<'_>, at: &str, levels: &Levels) -> Verdict {
                 s.sized(&path, level)?;
                 let falls = level < last && level >= 0.0 && may_fall(scene);
                 if level <= last && !falls {
-                    let bound = format!("greater than the level {last} before it");
-                    return Err(s.value(&path, level, &bound, "sort the levels; they start above 0"));
+                    let (bound, repair) = match may_fall(scene) {
+                        true => (
+                            format!("zero or positive, and other than the level {last} before it"),
+                            "a shell that yields may be let go, to level 0",
+                        ),
+                        false => (
+                            format!("greater than the level {last} before it"),
+                            "sort the levels; they start above 0",
+                        ),
+                    };
+                    return Err(s.value(&path, level, &bound, repair));
                 }
                 last = level;
             }
