@@ -94,9 +94,9 @@ fn below_its_yield_it_is_elastic() {
         &[
             short,
             ("material", "{ elastic = { young = 200000.0, poisson = 0.499, density = 7.8e-9 } }"),
-            ("section", "{ homogeneous = { thickness = 1.0 } }"),
+            ("section", "{ homogeneous = { thickness = 0.1 } }"),
             ("formulation.stress-point.curvature", "'logarithmic'"),
-            ("curve", "[{ name = 'turn', of = 'rotation', on = 'u1', direction = [0, -1, 0] }]"),
+            ("curve", "[{ name = 'turn', of = 'rotation', on = 'u1', direction = [0, 1, 0] }]"),
         ],
     );
     let turns = column(&yielding, "turn").into_iter().zip(column(&elastic, "turn"));

@@ -58,8 +58,8 @@ impl Levels {
         let mut solver = match self.solver.take() {
             Some(solver) => solver,
             None => {
+                run.warn_of_skew_loads(system.skew_load_share());
                 if self.found == 0 {
-                    run.warn_of_skew_loads(system.skew_load_share());
                     keep(run, 0, &self.start, system);
                 }
                 self.newton.line_search = system.opens_and_closes();

@@ -219,9 +219,10 @@ impl Run<'_> {
         Ended::Diverged(Failure::Balance { points, level, cause, unit })
     }
 
-    /// Warns of loads whose stiffness is not symmetric, where stability is judged from the symmetric part.
+    /// Warns of loads whose stiffness is not symmetric, where stability is judged from the symmetric part; once, whenever it is taken up again.
     pub fn warn_of_skew_loads(&mut self, share: f64) {
-        if share > 0.0 {
+        let known = self.record.warnings.iter().any(|warning| warning.kind == WarningKind::NoPotential);
+        if share > 0.0 && !known {
             let message = format!(
                 "the loads have no potential: entries of up to {share:.2} of the largest in their stiffness are skew \
                  (pressure over free edges, couples about moving edges) and left out of the tangent; equilibria are \

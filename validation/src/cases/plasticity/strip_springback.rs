@@ -15,8 +15,8 @@ const LEFT: &str = "error of the turn that is left";
 /// E_t/E with H = E/50.
 const TANGENT: f64 = 1.0 / 51.0;
 /// Length times the curvature of first yield, and the couple over that of first yield.
-const TURN: f64 = 20.0 * 0.002;
-const COUPLE: f64 = 25.306 / (50.0 / 3.0);
+const TURN: f64 = 5.0 * 0.02;
+const COUPLE: f64 = 0.075918 / 0.05;
 
 /// Errors \[%\].
 const OF_BENT: Measured =
