@@ -92,8 +92,8 @@ pub(super) struct Layer {
 /// strain h of its mid-surface, its curvature the change K of curvature freed of stretch.
 ///
 /// Transverse shear is elastic, `Q = (5/6) Σ G t γ`, and no part of the yield criterion. The history has, a slice, three plastic strains and α,
-/// then λ₃ − 1, U⁻¹ − 1, g ([`super::thickness`]) and 1 − ψ ([`PlasticSection::tallies`] reads it). λ₃ and U⁻¹ are those of the last commit, which makes a step's resultants
-/// the derivative of its work; a commit moves them, and leaves the strain of each point what it is.
+/// then λ₃ − 1, U⁻¹ − 1, g and 1 − ψ ([`PlasticSection::tallies`] reads it); the strain at a height is h + z (F K + g). λ₃ and U⁻¹ are those of the last
+/// commit, which makes a step's resultants the derivative of its work; a commit moves them, and leaves the strain of each point what it is.
 #[derive(Clone, Debug)]
 pub struct PlasticSection {
     pub(super) layers: Vec<Layer>,
