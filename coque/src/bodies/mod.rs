@@ -13,7 +13,7 @@
 //! | contacts with what they do now, and their names | `contact_now.rs`, `contacts_of_scene.rs` |
 //! | shells; solids with bonds, without; fluids and walls | `shell/`; `solid/`, `galerkin/`; `fluid/` |
 //! | rigid bodies | `rigid_body/` |
-//! | several bodies without a fluid as one body | `together/` |
+//! | several bodies as one, and what bodies do to each other, in a fluid too | `together/` |
 //! | a fluid, its walls and the structures in it as one body | `coupled/` |
 
 mod beside;
