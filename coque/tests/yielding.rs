@@ -6,7 +6,7 @@ mod common;
 
 use common::sittings::stopped_again_and_again;
 use common::{Replaced, column, last, overridden, refusal, run, text};
-use coque::{Ended, Outcome};
+use coque::{Ended, Outcome, WarningKind};
 
 const STRIP: &str = "strip-springback.toml";
 const HEMISPHERE: &str = "hemisphere-yielding.toml";
@@ -104,6 +104,68 @@ fn below_its_yield_it_is_elastic() {
     println!("{off:.1e}");
     assert!(off < 1e-10, "{off:.1e}");
     assert_eq!(last(&yielding, "plastic"), 0.0);
+}
+
+/// Relaxation and Newton's method. What begins to flow differs by rounding, and the control of its cell follows the share that flows.
+#[test]
+fn a_relaxation_agrees_with_newtons_method() {
+    let both = |analysis: &'static str| {
+        let replaced = [
+            ("geometry.sphere.particles", "[9, 9]"),
+            ("loads[0].force.total", "[0.012, 0.0, 0.0]"),
+            ("loads[1].force.total", "[0.0, -0.012, 0.0]"),
+            ("analysis", analysis),
+        ];
+        let outcome = done(HEMISPHERE, &replaced);
+        [last(&outcome, "inward"), last(&outcome, "plastic")]
+    };
+    let newton = both("{ static = { levels = 16 } }");
+    let relaxed = both("{ relaxation = { levels = 16, tolerance = 1e-8 } }");
+    println!("{newton:?} {relaxed:?}");
+    // 2.2e-5 of the way, 3.0e-3 of the plastic strain.
+    assert!((relaxed[0] / newton[0] - 1.0).abs() < 7e-5, "{newton:?} {relaxed:?}");
+    assert!((relaxed[1] / newton[1] - 1.0).abs() < 9e-3, "{newton:?} {relaxed:?}");
+}
+
+/// A shell that has yielded is softer than the same that has not; where nothing flowed its modes are the elastic ones.
+#[test]
+fn modes_of_a_preloaded_state_know_what_flowed() {
+    let lowest = |stress: &str| {
+        let replaced = [
+            ("geometry.sphere.particles", "[9, 9]"),
+            ("loads[0].force.total", "[0.012, 0.0, 0.0]"),
+            ("loads[1].force.total", "[0.0, -0.012, 0.0]"),
+            ("loads[0].preload", "true"),
+            ("loads[1].preload", "true"),
+            ("analysis", "{ modal = { modes = 1 } }"),
+            ("material.plastic.hardening.linear.yield-stress", stress),
+            ("curve", "[]"),
+            ("output", "{}"),
+        ];
+        last(&done(HEMISPHERE, &replaced), "circular_frequency")
+    };
+    let [flowed, little, elastic] = ["0.2", "1e3", "1e6"].map(lowest);
+    println!("{flowed} {little} {elastic}");
+    assert!((little / elastic - 1.0).abs() < 1e-12, "{little} {elastic}");
+    assert!(flowed < 0.95 * elastic, "{flowed} {elastic}");
+}
+
+/// Each warning where it is due, and not where it is not.
+#[test]
+fn doubtful_numbers_are_warned_of() {
+    let kinds = |name: &str, replaced: Replaced| -> Vec<WarningKind> {
+        let model = overridden(&text(name), "../scenes/scene.toml", replaced).unwrap().build(1).unwrap();
+        let before: Vec<_> = model.warnings().iter().map(|warning| warning.kind).collect();
+        let outcome = model.run(&mut coque::Silent);
+        before.into_iter().chain(outcome.summary.record.warnings.iter().map(|warning| warning.kind)).collect()
+    };
+    let slices = |count: &str| kinds(STRIP, &[("section.homogeneous.slices", count)]);
+    assert!(slices("4").contains(&WarningKind::FewSlices) && !slices("6").contains(&WarningKind::FewSlices));
+    let table = |rows: &str| kinds(STRIP, &[("material.plastic.hardening", rows)]);
+    let (short, long) = ("{ table = [[0, 200], [0.001, 204]] }", "{ table = [[0, 200], [0.1, 600]] }");
+    assert!(
+        table(short).contains(&WarningKind::BeyondData) && !table(long).contains(&WarningKind::BeyondData)
+    );
 }
 
 /// A load in more levels: the directions of flow turn little here.

@@ -22,7 +22,7 @@ use crate::tangent::{Matrix8, ZERO8};
 
 /// Logarithmic membrane strain and the curvature per present length, for stretches of any size.
 ///
-/// The measure of sections that yield or stretch like rubber. With an elastic section it is Hencky's law.
+/// The measure of sections that yield. With an elastic section it is Hencky's law.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Logarithmic;
 

@@ -86,6 +86,21 @@ impl Shell {
         out
     }
 
+    /// Work done on all points and on the control of their cells until the present state, of a shell whose section has a memory \[F L\]; zero of another.
+    pub fn internal_work(&self) -> f64 {
+        let mut sum = 0.0;
+        for (index, own) in self.points.sections.histories().iter().enumerate() {
+            let point = self.points.point(index);
+            let PointState { strains, control, .. } =
+                point.strained::<true, _>(self.material.strain, &self.motion.state);
+            sum += (own.section.energy(&strains) * point.pack.weight).sum();
+            if let Some((cell, hourglass)) = &control {
+                sum += own.control.pulls(cell.stiffnesses(), hourglass.components()).1.sum();
+            }
+        }
+        sum
+    }
+
     /// The section of four points.
     pub(crate) fn section_of<'a>(&'a self, point: &Point<'a>) -> &'a dyn Section {
         point.section.unwrap_or(&*self.material.section)

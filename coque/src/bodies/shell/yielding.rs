@@ -42,8 +42,9 @@ pub(super) fn warnings(shell: &Shell) -> Vec<Warning> {
         out.push(Warning { kind: WarningKind::BeyondData, message });
     }
     let control: f64 = of_cells.iter().map(|own| own.control).sum();
-    let share = control / shell.stored_energy();
-    if share > MUCH {
+    let work = shell.internal_work();
+    let share = control / work;
+    if work > 0.0 && share > MUCH {
         let message = format!(
             "{:.1} % of the work went into the control of zero-energy modes (over {:.0} %): hinges are narrower than the cells; use more particles \
              where it yields",
