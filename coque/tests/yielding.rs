@@ -166,6 +166,14 @@ fn doubtful_numbers_are_warned_of() {
     assert!(
         table(short).contains(&WarningKind::BeyondData) && !table(long).contains(&WarningKind::BeyondData)
     );
+    let cells = |particles: &str| {
+        kinds(
+            "cylinder-yielding.toml",
+            &[("geometry.cylinder.particles", particles), ("analysis.static.levels", "20")],
+        )
+    };
+    assert!(cells("[5, 5]").contains(&WarningKind::StiffControl));
+    assert!(!cells("[21, 21]").contains(&WarningKind::StiffControl));
 }
 
 /// A load in more levels: the directions of flow turn little here.
