@@ -265,8 +265,8 @@ fn a_rolled_strip_thins_by_its_r_value() {
         // The true stress by the present section, in which only the plastic part follows r.
         let stress = force * stretch / (0.5 * 0.01);
         let elastic = stress / 200_000.0;
-        let plastic = stretch.ln() - elastic;
-        let thinned = (-plastic / (1.0 + r) - 0.3 * elastic).exp();
+        let plastic = libm::log(stretch) - elastic;
+        let thinned = libm::exp(-plastic / (1.0 + r) - 0.3 * elastic);
         let found = last(&outcome, "t") / 0.01;
         println!("{found} {thinned}");
         // 1.1e-9, 1.3e-9: the force is balanced to 1e-9.
