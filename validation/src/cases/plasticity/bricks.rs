@@ -52,13 +52,15 @@ impl Bricks {
     /// The paths of all runs beside the table.
     pub fn figure(&self, runs: &Runs, words: [&str; 2], axes: [Axis; 2]) -> Result<Vec<Figure>, JudgeError> {
         let table = reference(self.table)?;
+        let paths = runs.iter().map(|run| self.path(run)).collect::<Result<Vec<_>, _>>()?;
+        // As far as any run goes, whether it is compared there or not.
+        let far = paths.iter().flatten().map(|row| row[0]).fold(self.between[1], f64::max);
         let ways = table.column(self.known[0])?.into_iter();
-        let known =
-            ways.zip(table.column(self.known[1])?).filter(|(way, _)| *way <= self.between[1]).collect();
+        let known = ways.zip(table.column(self.known[1])?).filter(|(way, _)| *way <= far).collect();
         let mut series = vec![Series::line("solid elements", known, BLACK, Line::Dashed)];
         let looks = [BLUE, VERMILION, GREEN];
-        for (number, run) in runs.iter().enumerate() {
-            let points = self.path(run)?.into_iter().map(|[way, load]| (way, load)).collect();
+        for (number, (run, path)) in runs.iter().zip(paths).enumerate() {
+            let points = path.into_iter().map(|[way, load]| (way, load)).collect();
             let grid = &run.variant.grid;
             series.push(Series::line(grid, points, looks[number % looks.len()], Line::Solid));
         }
