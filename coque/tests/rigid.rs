@@ -162,6 +162,14 @@ fn what_a_body_cannot_have_is_refused() {
         "[{ on = 'u0', clamped = {} }, { on = 'u1', clamped = {} }, { on = 'u1', moved = { direction = [1, 0, 0], by = 1 } }]",
     )]);
     assert!(moved.contains("another holds"), "{moved}");
+    let section = refused(&[(
+        "supports",
+        "[{ on = 'u0', clamped = {} }, { on = 'u1', diaphragm = { axis = [1, 0, 0], whole-section = true } }]",
+    )]);
+    assert!(
+        section.contains("supports[1].diaphragm.whole-section") && section.contains("rigid set"),
+        "{section}"
+    );
     let alone = refused(&[("rigid", "[{ on = 'u1v1' }]"), ("supports", "[{ on = 'u0', clamped = {} }]")]);
     assert!(alone.contains("side by side"), "{alone}");
     let mass = refused(&[("rigid", "[{ on = 'u1', mass = -1 }]")]);

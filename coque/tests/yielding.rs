@@ -106,7 +106,7 @@ fn below_its_yield_it_is_elastic() {
     assert_eq!(last(&yielding, "plastic"), 0.0);
 }
 
-/// Relaxation and Newton's method. What begins to flow differs by rounding, and the control of its cell follows the share that flows.
+/// Relaxation and Newton's method.
 #[test]
 fn a_relaxation_agrees_with_newtons_method() {
     let both = |analysis: &'static str| {
@@ -176,7 +176,7 @@ fn doubtful_numbers_are_warned_of() {
     assert!(!cells("[21, 21]").contains(&WarningKind::StiffControl));
 }
 
-/// A load in more levels: the directions of flow turn little here.
+/// A load in twice the levels: half of the error, which is that of directions of flow at the end of a step and of the control's share of the step before.
 #[test]
 fn more_levels_approach_one_answer() {
     let inward = |levels: &str| {
@@ -184,11 +184,10 @@ fn more_levels_approach_one_answer() {
         last(&done(HEMISPHERE, &[coarse, ("analysis.static.levels", levels)]), "inward")
     };
     let [few, more, many] = ["10", "20", "40"].map(inward);
-    println!("{few} {more} {many}: {:.1e} {:.1e}", few - more, more - many);
-    // 8.3815, 8.3817, 8.3822.
-    for level in [few, more] {
-        assert!((level / many - 1.0).abs() < 3e-4, "{few} {more} {many}");
-    }
+    let ratio = (few - more) / (more - many);
+    println!("{few} {more} {many}: {ratio:.3}");
+    // 8.36691, 8.36454, 8.36330: 1.91, and 1.95, 1.98, 1.98 on to 320 levels.
+    assert!((1.75..2.1).contains(&ratio) && (few / many - 1.0).abs() < 1e-3, "{few} {more} {many}: {ratio}");
 }
 
 #[test]

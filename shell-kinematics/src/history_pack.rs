@@ -31,23 +31,24 @@ impl HistoryPack {
         Self { section, trial: committed.clone(), committed, at: [Pack::ZERO; 8], held: false }
     }
 
-    /// Commits what strains make of the history; strains of the last commit leave every bit as it is.
-    pub fn commit(&mut self, strains: &Strains) {
+    /// Commits what strains make of the history; strains of the last commit leave every bit as it is, which it tells.
+    pub fn commit(&mut self, strains: &Strains) -> bool {
         let Strains { membrane: [a, b, c], curvature: [d, e, f], shear: [g, h] } = *strains;
         let at = [a, b, c, d, e, f, g, h];
         if at == self.at {
-            return;
+            return false;
         }
         if let Some(memory) = self.section.memory() {
             memory.history_from(strains, &self.committed, &mut self.trial);
             std::mem::swap(&mut self.committed, &mut self.trial);
             self.at = at;
         }
+        true
     }
 
-    /// [`Memory::free_share`] of the committed history; one without memory.
-    pub fn free_share(&self) -> Pack {
-        self.section.memory().map_or(Pack::splat(1.0), |memory| memory.free_share(&self.committed))
+    /// [`Memory::kept_share`] of the committed history; one without memory.
+    pub fn kept_share(&self) -> Pack {
+        self.section.memory().map_or(Pack::splat(1.0), |memory| memory.kept_share(&self.committed))
     }
 
     /// What the committed history of a section that yields says.

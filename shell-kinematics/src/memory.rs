@@ -33,8 +33,8 @@ pub trait Memory {
     /// `C = ∂σ/∂ε` at a fixed committed history, symmetric.
     fn tangent_from(&self, strains: &Strains, committed: &[Pack]) -> Matrix8;
 
-    /// The share of the section that did not flow when a history was committed, in (0, 1]: what is left of the stiffness against zero-energy modes.
-    fn free_share(&self, _committed: &[Pack]) -> Pack {
+    /// The share that the flow of the step committed last left of a stress beside the section's own, in (0, 1]: of what holds zero-energy modes.
+    fn kept_share(&self, _committed: &[Pack]) -> Pack {
         Pack::splat(1.0)
     }
 

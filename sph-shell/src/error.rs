@@ -312,6 +312,16 @@ pub enum ShellError {
         /// `D·ν`.
         along: f64,
     },
+    /// A section that has no one plane to lean in.
+    #[error(
+        "support {support} holds the whole section at particle {particle}, whose director lies along the axis, or which joins sheets at an angle; let it hold displacements only, or clamp what must not turn"
+    )]
+    SectionAlongAxis {
+        /// Number of the support in [`crate::Parts`].
+        support: usize,
+        /// The particle.
+        particle: u32,
+    },
     /// A director that one support turns and another holds or turns as well.
     #[error(
         "support {rotated} turns the director of particle {particle}, which support {other} holds or turns as well; remove one of them, or let support {other} hold displacements only"

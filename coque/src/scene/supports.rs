@@ -58,6 +58,9 @@ pub struct Symmetry {
 pub struct Diaphragm {
     /// Normal of the diaphragm, along which particles are free; its length does not matter.
     pub axis: [f64; 3],
+    /// Whether it holds the whole section, not its middle alone: the director leans along the axis and does not turn in the diaphragm's plane.
+    #[serde(default, rename = "whole-section")]
+    pub whole_section: bool,
 }
 
 /// No displacement along some directions, no turn of the director out of a plane; at least one of the two is given.

@@ -78,7 +78,8 @@ impl Newton {
         self.left = system.save();
     }
 
-    /// Takes the present state over if it balances a level, else corrects it.
+    /// Takes the present state over if it balances a level, or did where a path left it, else corrects it: what the commit of a history changed of its forces
+    /// is the next step's to balance, for balanced alone it would be a step of its own.
     pub(crate) fn settle<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
@@ -86,7 +87,8 @@ impl Newton {
     ) -> Result<Converged, EquilibriumError> {
         let size = self.residual(system, level)?;
         let bound = self.options.tolerance * norm(&self.external).max(self.force_scale);
-        if size > bound || system.within_bounds().is_err() {
+        let left = system.tangent_is_of_the_step() && system.save() == self.left;
+        if !left && (size > bound || system.within_bounds().is_err()) {
             return self.at_level(system, level);
         }
         let inertia = self.tangent(system, level)?;

@@ -25,7 +25,7 @@ use crate::pack::{Number, Pack};
 
 /// Newton's steps behind the first.
 const STEPS: usize = 3;
-/// Points within this share of the yield stress of the surface stand on it: below it they have the tangent of flow, above it they count as at rest.
+/// Points within this share of the yield stress below the surface stand on it, with the tangent of flow.
 const ON_THE_SURFACE: f64 = 1e-9;
 
 /// r = √⅔.
@@ -62,8 +62,6 @@ pub(super) struct Point<P> {
     pub over: [P; 3],
     /// One where the tangent is that of flow: on the surface at least.
     pub on_surface: P,
-    /// One where the point flows by more than rounding.
-    pub flows: P,
 }
 
 /// γ and f(γ) of one equation.
@@ -71,7 +69,6 @@ struct Root<P> {
     gamma: P,
     size: P,
     on_surface: P,
-    flows: P,
 }
 
 /// f², G and F.
@@ -116,6 +113,11 @@ impl PointLaw {
         }
     }
 
+    /// The mean of p \[F/L²\]: a stress beside the surface loses the share pγ/(1 + pγ) of it in a step.
+    pub fn mean_yielding(&self) -> f64 {
+        (self.yielding[0] + self.yielding[1] + self.yielding[2]) / 3.0
+    }
+
     /// How the yield stress grows.
     pub fn hardening(&self) -> &Hardening {
         &self.hardening
@@ -145,9 +147,9 @@ impl PointLaw {
         } else {
             self.solve(&[square(0), square(1), square(2)], &[a, b, c], alpha)
         };
-        let Some(Root { gamma, size, on_surface, flows }) = root else {
+        let Some(Root { gamma, size, on_surface }) = root else {
             let zero = alpha.all(0.0);
-            return Point { stress, plastic, alpha, gamma: zero, over, on_surface: zero, flows: zero };
+            return Point { stress, plastic, alpha, gamma: zero, over, on_surface: zero };
         };
         let one = alpha.all(1.0);
         let over = three(|i| over[i] / (one + gamma * [a, b, c][i]));
@@ -159,7 +161,6 @@ impl PointLaw {
             gamma,
             over,
             on_surface,
-            flows,
         }
     }
 
@@ -198,7 +199,6 @@ impl PointLaw {
             gamma,
             size: Sums::at(terms, rates, gamma, tiny).square.sqrt(),
             on_surface: above_zero(beyond),
-            flows: above_zero(size - limit * (1.0 + ON_THE_SURFACE)),
         })
     }
 

@@ -16,10 +16,10 @@ use crate::tangent::Matrix8;
 
 /// Numbers of a history that each slice has: three plastic strains in the coordinates of [`super::modes`], then α.
 pub(super) const OF_SLICE: usize = 4;
-/// Numbers of a history behind those of the slices: λ₃ − 1, U⁻¹ − 1, and 1 − ψ.
+/// Numbers of a history behind those of the slices: λ₃ − 1, U⁻¹ − 1, g and 1 − χ.
 pub(super) const OF_SECTION: usize = thickness::NUMBERS + 1;
-/// The least share ψ of a section that counts as not flowing.
-const LEAST_FREE: f64 = 0.02;
+/// The least share χ that a step keeps: what a control of zero-energy modes needs to leave no mode without stiffness.
+const LEAST_KEPT: f64 = 0.02;
 
 /// Isotropic elasticity with von Mises' yield criterion or Hill's, and associated flow.
 #[derive(Clone, Debug)]
@@ -92,7 +92,7 @@ pub(super) struct Layer {
 /// strain h of its mid-surface, its curvature the change K of curvature freed of stretch.
 ///
 /// Transverse shear is elastic, `Q = (5/6) Σ G t γ`, and no part of the yield criterion. The history has, a slice, three plastic strains and α,
-/// then λ₃ − 1, U⁻¹ − 1, g and 1 − ψ ([`PlasticSection::tallies`] reads it); the strain at a height is h + z (F K + g). λ₃ and U⁻¹ are those of the last
+/// then λ₃ − 1, U⁻¹ − 1, g and 1 − χ ([`PlasticSection::tallies`] reads it); the strain at a height is h + z (F K + g). λ₃ and U⁻¹ are those of the last
 /// commit, which makes a step's resultants the derivative of its work; a commit moves them, and leaves the strain of each point what it is.
 #[derive(Clone, Debug)]
 pub struct PlasticSection {
@@ -226,8 +226,9 @@ impl PlasticSection {
 
     /// [`Memory::history_from`] in any registers, with the resultants of the same strains; `write` takes every number of the new history with its place.
     ///
-    /// ln λ₃ is the mean over the thickness of `−ν/E (σ11 + σ22) − (εp11 + εp22)`. ψ is the share of the points, each with the square of its height,
-    /// that do not flow in this step by more than rounding, at least 0.02.
+    /// ln λ₃ is the mean over the thickness of `−ν/E (σ11 + σ22) − (εp11 + εp22)`. χ = 1/(1 + pγ) is the share that the flow of a step leaves of a
+    /// stress beside the yield surface ([`super::return_map`]), with the mean of p; that of the section is the mean over its points, each with the square
+    /// of its height, at least 0.02.
     #[inline(always)]
     pub fn commit_in<P: Number>(
         &self,
@@ -237,16 +238,16 @@ impl PlasticSection {
     ) -> Resultants<P> {
         let zero = strains.shear[0].all(0.0);
         let lever = self.lever(&read);
-        let mut sums = Committing { read, write: &mut write, log_thickness: zero, flowing: zero, whole: 0.0 };
+        let mut sums = Committing { read, write: &mut write, log_thickness: zero, eased: zero, whole: 0.0 };
         let resultants = self.summed(strains, &lever, &mut sums);
-        let Committing { log_thickness, flowing, whole, .. } = sums;
+        let Committing { log_thickness, eased, whole, .. } = sums;
         let log_thickness = log_thickness * (1.0 / self.scales.thickness);
         let first = self.of_section;
         let numbers = lever.next(log_thickness, &strains.membrane, &strains.curvature);
         for i in 0..thickness::NUMBERS {
             write(first + i, numbers[i]);
         }
-        write(first + thickness::NUMBERS, (flowing * (1.0 / whole)).min(zero.all(1.0 - LEAST_FREE)));
+        write(first + thickness::NUMBERS, (eased * (1.0 / whole)).min(zero.all(1.0 - LEAST_KEPT)));
         resultants
     }
 }
@@ -284,8 +285,8 @@ struct Committing<'a, P, R, W> {
     write: &'a mut W,
     /// `Σ w ln λ₃`.
     log_thickness: P,
-    /// `Σ w z²` of points that flow, and of all.
-    flowing: P,
+    /// `Σ w z² pγ/(1 + pγ)`, and `Σ w z²`.
+    eased: P,
     whole: f64,
 }
 
@@ -300,7 +301,8 @@ impl<P: Number, R: Fn(usize) -> P, W: FnMut(usize, P)> Met<P> for Committing<'_,
         }
         (self.write)(place + 3, point.alpha);
         let share = slice.weight * slice.height * slice.height;
-        self.flowing += point.flows * share;
+        let flow = point.gamma * layer.law.mean_yielding();
+        self.eased += flow / (flow + point.gamma.all(1.0)) * share;
         self.whole += share;
         point.stress
     }
@@ -367,8 +369,8 @@ impl Memory for PlasticSection {
         self.energy_in(strains, |i| committed[i])
     }
 
-    fn free_share(&self, committed: &[Pack]) -> Pack {
-        self.tallies(committed).free_share()
+    fn kept_share(&self, committed: &[Pack]) -> Pack {
+        self.tallies(committed).kept_share()
     }
 }
 

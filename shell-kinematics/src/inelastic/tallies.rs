@@ -1,4 +1,4 @@
-//! What a history says about a point that yielded: thickness, plastic strain, how much of it flows, and the work that it holds.
+//! What a history says about a point that yielded: thickness, plastic strain, what its flow leaves, and the work that it holds.
 
 use super::section::PlasticSection;
 use super::thickness;
@@ -24,8 +24,8 @@ impl Tallies<'_> {
         self.history[self.section.of_section] + Pack::splat(1.0)
     }
 
-    /// Share ψ of the points, each weighted by the square of its height, that did not flow in the step committed last: 0.02 to 1 \[–\].
-    pub fn free_share(&self) -> Pack {
+    /// Share χ that the flow of the step committed last left of a stress beside the yield surface: 0.02 to 1 \[–\].
+    pub fn kept_share(&self) -> Pack {
         Pack::splat(1.0) - self.history[self.section.of_section + thickness::NUMBERS]
     }
 

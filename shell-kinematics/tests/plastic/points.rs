@@ -256,7 +256,7 @@ fn other_units_and_a_mirror_change_nothing() {
             there.commit(&other);
             mirrored.commit(&image);
             let tallies = |s: &Specimen| {
-                [s.section.tallies(&s.history).thickness(), s.section.tallies(&s.history).free_share()]
+                [s.section.tallies(&s.history).thickness(), s.section.tallies(&s.history).kept_share()]
             };
             for (a, b) in tallies(&here).into_iter().zip(tallies(&there)) {
                 worst = worst.max(most(a - b));

@@ -1,5 +1,7 @@
 //! All supports of a shell, joined particle by particle.
 
+use sph_core::Vec3;
+
 use crate::conditions::supports::{Constraint, DirectorHold, Holds, Supported};
 use crate::error::ShellError;
 use crate::reference::Reference;
@@ -12,6 +14,20 @@ pub(crate) struct Constraints {
     /// Number of each particle's entry in `all`, one up; zero for a free particle.
     pub of_particle: Vec<u32>,
     pub all: Vec<Constraint>,
+}
+
+/// The plane of an axis and a director at rest; none where they are parallel.
+fn leaning(axis: &Vec3, director: &Vec3) -> Option<DirectorHold> {
+    let normal = axis.cross(director);
+    (normal.norm() > OUT_OF_PLANE).then(|| DirectorHold::InPlane(normal.normalize()))
+}
+
+/// Whether a support holds the sections of two sheets of a junction in different planes.
+fn at_an_angle(one: &(usize, Holds), two: &(usize, Holds)) -> bool {
+    let (DirectorHold::InPlane(m), DirectorHold::InPlane(n)) = (one.1.director, two.1.director) else {
+        return false;
+    };
+    one.0 == two.0 && one.1.section.is_some() && m.cross(&n).norm() > OUT_OF_PLANE
 }
 
 impl Constraints {
@@ -33,7 +49,11 @@ impl Constraints {
                     particle,
                     count,
                 })?;
-                let holds = supported.support.holds().about(&reference.origin);
+                let mut holds = supported.support.holds().about(&reference.origin);
+                if let Some(axis) = holds.section {
+                    holds.director = leaning(&axis, &cloud.frames[particle as usize].n)
+                        .ok_or(ShellError::SectionAlongAxis { support, particle })?;
+                }
                 if let DirectorHold::InPlane(normal) = holds.director {
                     // The turn that is left free runs along ν × d.
                     let along = normal.dot(&cloud.frames[particle as usize].n);
@@ -50,6 +70,9 @@ impl Constraints {
             let mut all: Vec<_> =
                 group.iter().flat_map(|&a| std::mem::take(&mut asked[a as usize])).collect();
             all.sort_by_key(|(support, _)| *support);
+            if let Some([one, _]) = all.array_windows().find(|[one, two]| at_an_angle(one, two)) {
+                return Err(ShellError::SectionAlongAxis { support: one.0, particle: group[0] });
+            }
             all.dedup_by_key(|(support, _)| *support);
             for &a in group {
                 asked[a as usize].clone_from(&all);
@@ -79,5 +102,42 @@ impl Constraints {
         self.all.push(constraint);
         let number = self.all.len() as u32;
         particles.iter().for_each(|&a| self.of_particle[a as usize] = number);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use shell_kinematics::{Isotropic, IsotropicSection, Section};
+    use sph_core::{Cylinder, EndWeights, Patch, Plate, lattice};
+
+    use super::*;
+    use crate::conditions::supports::Diaphragm;
+    use crate::formulation::{Formulation, Reach};
+
+    fn held(patch: &dyn Patch, axis: Vec3) -> Result<Vec<(Vec3, DirectorHold)>, ShellError> {
+        let cloud = lattice(patch, [5, 3], EndWeights::Trapezoid).unwrap();
+        let section = IsotropicSection::new(Isotropic::new(10.0, 0.3).unwrap(), 0.1).unwrap();
+        let formulation = Formulation::StressPoint(Reach::Cell);
+        let reference = Reference::new(cloud, &formulation, &section.scales(), 1.0, None).unwrap();
+        let particles: Vec<u32> = (0..15).collect();
+        let support = Box::new(Diaphragm { axis, section: true });
+        let constraints = Constraints::new(&reference, &[Supported { particles, support }])?;
+        let normals = reference.cloud.frames.iter().map(|frame| frame.n);
+        Ok(normals.zip(constraints.all.iter().map(|one| one.director)).collect())
+    }
+
+    /// Of a cylinder each director stays in the plane of the axis and of itself; one along the axis is refused.
+    #[test]
+    fn a_whole_section_leans_along_the_axis_alone() {
+        let cylinder = Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 };
+        let all = held(&cylinder, Vec3::y() * 2.0).unwrap();
+        assert_eq!(all.len(), 15);
+        for (director, hold) in all {
+            let DirectorHold::InPlane(normal) = hold else { panic!("{hold:?}") };
+            let off = [normal.norm() - 1.0, normal.dot(&director), normal.dot(&Vec3::y())];
+            assert!(off.iter().all(|off| off.abs() < 1e-14), "{off:?}");
+        }
+        let refused = held(&Plate { lengths: [2.0, 1.0] }, Vec3::z()).unwrap_err();
+        assert!(matches!(refused, ShellError::SectionAlongAxis { support: 0, particle: 0 }), "{refused}");
     }
 }

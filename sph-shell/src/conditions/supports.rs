@@ -14,6 +14,8 @@ pub struct Holds {
     pub translations: Vec<Vec3>,
     /// What is asked of the director.
     pub director: DirectorHold,
+    /// Unit axis of a section that does not turn in its plane: the director stays in the plane of the axis and of itself at rest.
+    pub section: Option<Vec3>,
     /// A motion along one of the held directions.
     pub motion: Option<Motion>,
     /// A rotation of the director, which must then be held fixed by nothing else.
@@ -71,11 +73,14 @@ pub struct SymmetryPlane {
     pub normal: Vec3,
 }
 
-/// Displacements across an axis are held, those along it and the director are free.
+/// Displacements across an axis are held, those along it are free, and so is the director: or it leans along the axis alone, where the whole section
+/// is held and not its middle only.
 #[derive(Clone, Copy, Debug)]
 pub struct Diaphragm {
     /// The axis (any length).
     pub axis: Vec3,
+    /// Whether the whole section is held.
+    pub section: bool,
 }
 
 /// Displacements along some directions and one turn of the director are held; the rest is free.
@@ -132,8 +137,10 @@ impl Support for SymmetryPlane {
 
 impl Support for Diaphragm {
     fn holds(&self) -> Holds {
-        let frame = sph_core::Frame::from_normal(self.axis.normalize());
-        Holds { translations: vec![frame.t1, frame.t2], ..Holds::default() }
+        let axis = self.axis.normalize();
+        let frame = sph_core::Frame::from_normal(axis);
+        let section = self.section.then_some(axis);
+        Holds { translations: vec![frame.t1, frame.t2], section, ..Holds::default() }
     }
 }
 

@@ -28,6 +28,7 @@ impl Support for Turned {
         Holds {
             translations: vec![Vec3::x(), Vec3::y(), Vec3::z()],
             director: DirectorHold::Fixed,
+            section: None,
             motion: Some(Motion { turn: Some(turn), ..Motion::by(Vec3::zeros(), amplitude.clone()) }),
             rotation: Some(Rotation {
                 axis,

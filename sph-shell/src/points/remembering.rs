@@ -20,12 +20,12 @@ impl RememberingPack {
         Self { section: HistoryPack::new(section), control: YieldingControl::default() }
     }
 
-    /// Commits what a state makes of the history.
+    /// Commits what a state makes of the history; a state that was committed last changes nothing.
     pub fn commit(&mut self, state: &PointState) {
-        self.section.commit(&state.strains);
-        if let Some((cell, hourglass)) = &state.control {
-            let free = self.section.free_share();
-            self.control.commit(cell.stiffnesses(), hourglass.components(), free);
+        let moved = self.section.commit(&state.strains);
+        if moved && let Some((cell, hourglass)) = &state.control {
+            let kept = self.section.kept_share();
+            self.control.commit(cell.stiffnesses(), hourglass.components(), kept);
         }
     }
 

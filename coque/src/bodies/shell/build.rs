@@ -272,7 +272,9 @@ impl Builder<'_> {
             SupportKind::Clamped => Box::new(sph_shell::Clamped),
             SupportKind::Hinged => Box::new(sph_shell::Hinged),
             SupportKind::Symmetry(s) => Box::new(sph_shell::SymmetryPlane { normal: self.turned(s.normal) }),
-            SupportKind::Diaphragm(s) => Box::new(sph_shell::Diaphragm { axis: self.turned(s.axis) }),
+            SupportKind::Diaphragm(s) => {
+                Box::new(sph_shell::Diaphragm { axis: self.turned(s.axis), section: s.whole_section })
+            }
             SupportKind::Held(s) => Box::new(sph_shell::Held {
                 displacement: s.displacement.iter().map(|&v| self.turned(v)).collect(),
                 director: s.director.first().map(|&v| self.turned(v)),

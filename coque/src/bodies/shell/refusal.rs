@@ -40,7 +40,9 @@ impl Builder<'_> {
             ShellError::Contradiction { .. } | ShellError::TwoMotions(_) => {
                 motion.unwrap_or_else(|| "supports".into())
             }
-            &(ShellError::OutOfPlane { support, .. } | ShellError::HeldDirector { rotated: support, .. }) => {
+            &(ShellError::OutOfPlane { support, .. }
+            | ShellError::SectionAlongAxis { support, .. }
+            | ShellError::HeldDirector { rotated: support, .. }) => {
                 let present = |s: &&OnSet<'_, Support>| {
                     s.spring.is_none()
                         && self.scene.shell.rigid_body(s.on).is_none()

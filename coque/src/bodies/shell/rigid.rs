@@ -124,6 +124,7 @@ fn holds_of(cloud: &Cloud, piece: &[u32], supports: &[(Vec<u32>, Holds)]) -> Vec
         for &a in particles.iter().filter(|a| piece.binary_search(a).is_ok()) {
             let frame = cloud.frames[a as usize];
             all.extend(holds.translations.iter().map(|e| Hold::Displacement(a, *e)));
+            all.extend(holds.section.map(|axis| Hold::Turn(axis - frame.n * frame.n.dot(&axis))));
             match holds.director {
                 DirectorHold::Free => {}
                 DirectorHold::InPlane(n) => all.push(Hold::Turn(frame.n.cross(&n))),

@@ -34,6 +34,13 @@ pub(super) fn check_rigid(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Scope
     if shell.rigid.is_empty() {
         return Ok(());
     }
+    for support in scene.supports.iter().filter(|support| shell.rigid_body(support.on).is_some()) {
+        if support.diaphragm.is_some_and(|diaphragm| diaphragm.whole_section) {
+            let repair = "leave it out, and hold the turns of a rigid set by `held.director`";
+            let bound = "false on a rigid set, which has no section";
+            return Err(scene.scope().value(&support.at("diaphragm.whole-section"), true, bound, repair));
+        }
+    }
     let refuse = |bound: &str, repair: &str| {
         Err(SceneError::Choice(s.fault("rigid[0]", "a rigid set", bound, repair)))
     };
