@@ -26,8 +26,9 @@ impl Memory for Halved {
         1
     }
 
-    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) {
+    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) -> Resultants {
         trial[0] = share(strains, committed) * -2.0 + Pack::splat(2.0);
+        self.resultants_from(strains, committed)
     }
 
     fn resultants_from(&self, strains: &Strains, committed: &[Pack]) -> Resultants {

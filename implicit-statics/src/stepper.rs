@@ -99,7 +99,7 @@ impl<'a> Stepper<'a> {
         if change.is_finite() {
             stepper.newton.expect(change, &response);
         }
-        let converged = stepper.newton.settle(system, start.level)?;
+        let converged = stepper.newton.settle(system, start.level, start.stiffness.is_some())?;
         Ok((stepper, converged, sizes))
     }
 

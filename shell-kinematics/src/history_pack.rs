@@ -17,8 +17,9 @@ pub struct HistoryPack {
     committed: Vec<Pack>,
     /// What the next commit finds.
     trial: Vec<Pack>,
-    /// Strains of the last commit, in the order of membrane, curvature, shear.
+    /// Strains of the last commit, in the order of membrane, curvature, shear, and the resultants that they meet in the same order.
     at: [Pack; 8],
+    met: [Pack; 8],
     /// Whether the history stays as it is whatever the strains.
     held: bool,
 }
@@ -28,22 +29,40 @@ impl HistoryPack {
     pub fn new(section: Arc<dyn Section>) -> Self {
         let count = section.memory().map_or(0, Memory::history_len);
         let committed = vec![Pack::ZERO; count];
-        Self { section, trial: committed.clone(), committed, at: [Pack::ZERO; 8], held: false }
+        Self {
+            section,
+            trial: committed.clone(),
+            committed,
+            at: [Pack::ZERO; 8],
+            met: [Pack::ZERO; 8],
+            held: false,
+        }
     }
 
-    /// Commits what strains make of the history; strains of the last commit leave every bit as it is, which it tells.
-    pub fn commit(&mut self, strains: &Strains) -> bool {
-        let Strains { membrane: [a, b, c], curvature: [d, e, f], shear: [g, h] } = *strains;
-        let at = [a, b, c, d, e, f, g, h];
-        if at == self.at {
-            return false;
-        }
-        if let Some(memory) = self.section.memory() {
-            memory.history_from(strains, &self.committed, &mut self.trial);
-            std::mem::swap(&mut self.committed, &mut self.trial);
-            self.at = at;
-        }
-        true
+    /// Commits what strains make of the history; strains of the last commit leave every bit as it is.
+    pub fn commit(&mut self, strains: &Strains) {
+        let Some(Commit { section, committed, trial }) = self.begin_commit(strains) else { return };
+        let met = section.memory().map(|memory| memory.history_from(strains, committed, trial));
+        self.end_commit(strains, &met.unwrap_or_default());
+    }
+
+    /// What a commit reads and writes; none where these strains were committed last, which leaves every bit as it is.
+    pub fn begin_commit(&mut self, strains: &Strains) -> Option<Commit<'_>> {
+        let Self { section, committed, trial, at, .. } = self;
+        (eight(strains) != *at).then_some(Commit { section: &**section, committed, trial })
+    }
+
+    /// Takes over what was written, of strains that meet these resultants.
+    pub fn end_commit(&mut self, strains: &Strains, met: &Resultants) {
+        let Resultants { membrane: [a, b, c], moment: [d, e, f], shear: [g, h] } = *met;
+        std::mem::swap(&mut self.committed, &mut self.trial);
+        (self.at, self.met) = (eight(strains), [a, b, c, d, e, f, g, h]);
+    }
+
+    /// The section, if it yields and its history does not stay as it is.
+    pub fn yielding(&self) -> Option<YieldingPack<'_>> {
+        let section = (&*self.section as &dyn Any).downcast_ref().filter(|_| !self.held)?;
+        Some(YieldingPack { section, committed: &self.committed, at: &self.at, met: &self.met })
     }
 
     /// [`Memory::kept_share`] of the committed history; one without memory.
@@ -64,17 +83,17 @@ impl HistoryPack {
 
     /// How many numbers [`HistoryPack::numbers`] gives.
     pub fn count(&self) -> usize {
-        LANES * (self.committed.len() + self.at.len())
+        LANES * (self.committed.len() + self.at.len() + self.met.len())
     }
 
-    /// The committed history with the strains of its commit: all that changes.
+    /// The committed history with the strains of its commit and what they meet: all that changes.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
-        self.committed.iter().chain(&self.at).flat_map(|pack| pack.lanes())
+        self.committed.iter().chain(&self.at).chain(&self.met).flat_map(|pack| pack.lanes())
     }
 
     /// Takes up what [`HistoryPack::numbers`] gave, to the same bits.
     pub fn take_up(&mut self, numbers: &[f64]) {
-        let packs = self.committed.iter_mut().chain(&mut self.at);
+        let packs = self.committed.iter_mut().chain(&mut self.at).chain(&mut self.met);
         for (pack, lanes) in packs.zip(numbers.as_chunks::<LANES>().0) {
             *pack = Pack::new(*lanes);
         }
@@ -84,6 +103,35 @@ impl HistoryPack {
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + size_of_val(&self.committed[..]) + size_of_val(&self.trial[..])
     }
+}
+
+/// What a commit reads and writes, as [`Memory::history_from`] has it.
+pub struct Commit<'a> {
+    /// The section.
+    pub section: &'a dyn Section,
+    /// The committed history.
+    pub committed: &'a [Pack],
+    /// The next one.
+    pub trial: &'a mut [Pack],
+}
+
+/// Strains in the order of membrane, curvature, shear.
+fn eight(strains: &Strains) -> [Pack; 8] {
+    let Strains { membrane: [a, b, c], curvature: [d, e, f], shear: [g, h] } = *strains;
+    [a, b, c, d, e, f, g, h]
+}
+
+/// A section that yields, with the history that four points have: for registers of any kind.
+#[derive(Clone, Copy)]
+pub struct YieldingPack<'a> {
+    /// The section.
+    pub section: &'a PlasticSection,
+    /// The committed history.
+    pub committed: &'a [Pack],
+    /// Strains of the last commit, membrane, curvature, shear.
+    pub at: &'a [Pack; 8],
+    /// The resultants that they meet, membrane, moment, shear.
+    pub met: &'a [Pack; 8],
 }
 
 impl std::fmt::Debug for HistoryPack {
@@ -96,6 +144,10 @@ impl Section for HistoryPack {
     fn resultants(&self, strains: &Strains) -> Resultants {
         match self.section.memory() {
             Some(memory) if self.held => memory.held_resultants(strains, &self.committed),
+            Some(_) if eight(strains) == self.at => {
+                let [a, b, c, d, e, f, g, h] = self.met;
+                Resultants { membrane: [a, b, c], moment: [d, e, f], shear: [g, h] }
+            }
             Some(memory) => memory.resultants_from(strains, &self.committed),
             None => self.section.resultants(strains),
         }

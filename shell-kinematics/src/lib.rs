@@ -221,7 +221,7 @@ mod strains;
 mod stressed_pack;
 mod tangent;
 
-pub use history_pack::HistoryPack;
+pub use history_pack::{Commit, HistoryPack, YieldingPack};
 pub use inelastic::{
     Hardening, Plastic, PlasticPly, PlasticSection, RValues, Rubber, RubberSection, Tallies,
 };

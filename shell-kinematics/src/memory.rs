@@ -19,10 +19,10 @@ pub trait Memory {
     /// Numbers of a history.
     fn history_len(&self) -> usize;
 
-    /// What strains make of a committed history.
+    /// What strains make of a committed history, and the resultants that they meet once it is committed.
     ///
     /// Of strains for which it was committed already, the same history but for rounding.
-    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]);
+    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) -> Resultants;
 
     /// Resultants from strains; they must be the derivative of [`Memory::energy_from`] at a fixed committed history.
     fn resultants_from(&self, strains: &Strains, committed: &[Pack]) -> Resultants;

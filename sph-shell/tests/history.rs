@@ -62,10 +62,11 @@ impl Memory for Hardening {
         2
     }
 
-    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) {
+    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) -> Resultants {
         for (i, number) in trial.iter_mut().enumerate() {
             *number = each(strains, committed, |point| point.history[i]);
         }
+        self.resultants_from(strains, committed)
     }
 
     fn resultants_from(&self, strains: &Strains, committed: &[Pack]) -> Resultants {

@@ -58,7 +58,7 @@ if TYPE_CHECKING:
     Cylinder = TypedDict("Cylinder", {"angles": Sequence[float], "disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[float]], "length": float, "particles": NotRequired[Sequence[int]], "radius": float, "scattered": NotRequired["Scattered"]})
     Damping_1 = TypedDict("Damping_1", {"ratio": float})
     Damping: TypeAlias = Union["Damping_1", Literal['kinetic']]
-    Diaphragm = TypedDict("Diaphragm", {"axis": Sequence[float]})
+    Diaphragm = TypedDict("Diaphragm", {"axis": Sequence[float], "whole-section": NotRequired[bool]})
     Disc = TypedDict("Disc", {"centre": Sequence[float], "radius": float, "spacing": float})
     Disorder = TypedDict("Disorder", {"fraction": float, "seed": int})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]

@@ -78,17 +78,18 @@ impl Newton {
         self.left = system.save();
     }
 
-    /// Takes the present state over if it balances a level, or did where a path left it, else corrects it: what the commit of a history changed of its forces
-    /// is the next step's to balance, for balanced alone it would be a step of its own.
+    /// Takes the present state over if it balances a level, else corrects it. Of a path that goes on, the commit of a history may have changed forces since
+    /// the state was balanced: that is the next step's to balance, for balanced alone it would be a step of its own.
     pub(crate) fn settle<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
         level: f64,
+        goes_on: bool,
     ) -> Result<Converged, EquilibriumError> {
         let size = self.residual(system, level)?;
         let bound = self.options.tolerance * norm(&self.external).max(self.force_scale);
-        let left = system.tangent_is_of_the_step() && system.save() == self.left;
-        if !left && (size > bound || system.within_bounds().is_err()) {
+        let committed = goes_on && system.tangent_is_of_the_step();
+        if !committed && (size > bound || system.within_bounds().is_err()) {
             return self.at_level(system, level);
         }
         let inertia = self.tangent(system, level)?;

@@ -3,6 +3,7 @@
 mod functions;
 mod hardening;
 mod hill;
+mod layer;
 mod modes;
 mod return_map;
 mod rubber;

@@ -3,6 +3,7 @@
 use super::functions::three;
 use super::hardening::{Hardening, not_negative};
 use super::hill::RValues;
+use super::layer::{Layer, OF_SLICE};
 use super::modes::Modes;
 use super::return_map::PointLaw;
 use super::slices::{Slice, slices};
@@ -14,8 +15,6 @@ use crate::section::{Isotropic, MaterialError, Section, SectionScales};
 use crate::strains::{Resultants, Strains};
 use crate::tangent::Matrix8;
 
-/// Numbers of a history that each slice has: three plastic strains in the coordinates of [`super::modes`], then α.
-pub(super) const OF_SLICE: usize = 4;
 /// Numbers of a history behind those of the slices: λ₃ − 1, U⁻¹ − 1, g and 1 − χ.
 pub(super) const OF_SECTION: usize = thickness::NUMBERS + 1;
 /// The least share χ that a step keeps: what a control of zero-energy modes needs to leave no mode without stiffness.
@@ -74,18 +73,6 @@ fn elastic_ply(ply: &PlasticPly) -> Result<Ply, MaterialError> {
     let shear = ply.material.elastic.shear();
     let material = Orthotropic::new(young, young, poisson, shear, shear)?;
     Ok(Ply { material, thickness: ply.thickness, angle: ply.angle })
-}
-
-/// One ply with its points.
-#[derive(Clone, Debug)]
-pub(super) struct Layer {
-    pub law: PointLaw,
-    pub modes: Modes,
-    pub slices: Vec<Slice>,
-    /// The place of its first number in a history.
-    first: usize,
-    /// `∂ ln λ₃/∂x` and `∂ ln λ₃/∂e_p` of the ply alone.
-    thinning: [[f64; 3]; 2],
 }
 
 /// Plane-stress plasticity at points through the thickness, on logarithmic strains: the membrane strain of a point is the logarithmic
@@ -169,7 +156,7 @@ impl PlasticSection {
         ])
     }
 
-    /// Resultants of the stresses that are met at the points.
+    /// Resultants of the stresses that are met at the points, moments of z σ not yet brought to the mid-surface by the lever.
     #[inline(always)]
     fn summed<P: Number>(
         &self,
@@ -196,14 +183,14 @@ impl PlasticSection {
             }
         }
         let shear = [strains.shear[0] * self.shear, strains.shear[1] * self.shear];
-        Resultants { membrane, moment: lever.moments(&moment), shear }
+        Resultants { membrane, moment, shear }
     }
 
     /// [`Memory::resultants_from`] in any registers; `read` gives the numbers of the committed history.
     #[inline(always)]
     pub fn resultants_in<P: Number>(&self, strains: &Strains<P>, read: impl Fn(usize) -> P) -> Resultants<P> {
         let lever = self.lever(&read);
-        self.summed(strains, &lever, &mut Flowing { read })
+        brought(self.summed(strains, &lever, &mut Flowing { read }), &lever)
     }
 
     /// [`Memory::energy_from`] in any registers.
@@ -224,7 +211,7 @@ impl PlasticSection {
         work
     }
 
-    /// [`Memory::history_from`] in any registers, with the resultants of the same strains; `write` takes every number of the new history with its place.
+    /// [`Memory::history_from`] in any registers; `write` takes every number of the new history with its place.
     ///
     /// ln λ₃ is the mean over the thickness of `−ν/E (σ11 + σ22) − (εp11 + εp22)`. χ = 1/(1 + pγ) is the share that the flow of a step leaves of a
     /// stress beside the yield surface ([`super::return_map`]), with the mean of p; that of the section is the mean over its points, each with the square
@@ -248,8 +235,14 @@ impl PlasticSection {
             write(first + i, numbers[i]);
         }
         write(first + thickness::NUMBERS, (eased * (1.0 / whole)).min(zero.all(1.0 - LEAST_KEPT)));
-        resultants
+        brought(resultants, &Lever::read(numbers))
     }
+}
+
+/// Moments of z σ as moments on the curvature.
+#[inline(always)]
+fn brought<P: Number>(found: Resultants<P>, lever: &Lever<P>) -> Resultants<P> {
+    Resultants { moment: lever.moments(&found.moment), ..found }
 }
 
 /// What is met at a point of a given strain, whose numbers lie at a place of a history.
@@ -308,36 +301,6 @@ impl<P: Number, R: Fn(usize) -> P, W: FnMut(usize, P)> Met<P> for Committing<'_,
     }
 }
 
-/// Strains through the thickness of a ply, in the coordinates of its modes.
-#[derive(Clone, Copy)]
-pub(super) struct Across<P> {
-    middle: [P; 3],
-    slope: [P; 3],
-}
-
-impl<P: Number> Across<P> {
-    #[inline(always)]
-    pub(super) fn at(&self, slice: &Slice) -> [P; 3] {
-        three(|i| self.middle[i] + self.slope[i] * slice.height)
-    }
-}
-
-impl Layer {
-    #[inline(always)]
-    pub(super) fn across<P: Number>(&self, strains: &Strains<P>, lever: &Lever<P>) -> Across<P> {
-        Across {
-            middle: self.modes.of_strains(&strains.membrane),
-            slope: self.modes.of_strains(&lever.slope(&strains.curvature)),
-        }
-    }
-
-    /// Its points, each with the place of its numbers in a history.
-    #[inline(always)]
-    pub(super) fn points(&self) -> impl Iterator<Item = (&Slice, usize)> {
-        self.slices.iter().enumerate().map(|(i, slice)| (slice, self.first + OF_SLICE * i))
-    }
-}
-
 /// The numbers of a point in a history.
 #[inline(always)]
 fn committed<P>(read: impl Fn(usize) -> P, place: usize) -> [P; OF_SLICE] {
@@ -349,8 +312,8 @@ impl Memory for PlasticSection {
         self.of_section + OF_SECTION
     }
 
-    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) {
-        self.commit_in(strains, |i| committed[i], |i, number| trial[i] = number);
+    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) -> Resultants {
+        self.commit_in(strains, |i| committed[i], |i, number| trial[i] = number)
     }
 
     fn resultants_from(&self, strains: &Strains, committed: &[Pack]) -> Resultants {
@@ -358,7 +321,8 @@ impl Memory for PlasticSection {
     }
 
     fn held_resultants(&self, strains: &Strains, committed: &[Pack]) -> Resultants {
-        self.summed(strains, &self.lever(|i| committed[i]), &mut Held(committed))
+        let lever = self.lever(|i| committed[i]);
+        brought(self.summed(strains, &lever, &mut Held(committed)), &lever)
     }
 
     fn tangent_from(&self, strains: &Strains, committed: &[Pack]) -> Matrix8 {

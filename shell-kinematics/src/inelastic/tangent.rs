@@ -1,6 +1,7 @@
 //! The tangent of a section that yields: the tangents of its points, summed with one, height and its square.
 
-use super::section::{OF_SLICE, PlasticSection};
+use super::layer::OF_SLICE;
+use super::section::PlasticSection;
 use crate::pack::Pack;
 use crate::strains::Strains;
 use crate::tangent::{Matrix8, ZERO8};

@@ -203,6 +203,36 @@ fn a_stress_beside_the_surface_decays_with_the_flow() {
     assert!(worst < 5e-15, "{worst:.1e}");
 }
 
+/// What strains meet once they are committed is told by the commit, and is what an evaluation finds, but for rounding and what the third step of
+/// the return map leaves.
+#[test]
+fn a_commit_tells_what_its_strains_meet() {
+    let mut worst = 0.0_f64;
+    for (name, hardening) in hardenings() {
+        let mut random = Random(83);
+        let section: Arc<dyn Section> = Arc::new(section(hardening, 6));
+        for _ in 0..50 {
+            let mut pack = HistoryPack::new(section.clone());
+            for _ in 0..3 {
+                let now = random.strains(0.01, 0.02);
+                pack.commit(&now);
+                let told = forces(&pack.resultants(&now));
+                let numbers: Vec<f64> = pack.numbers().collect();
+                let mut apart = HistoryPack::new(section.clone());
+                apart.take_up(&numbers);
+                // Strains that differ from the committed ones by rounding meet the law itself.
+                let near = plus(&now, &now, 1e-15);
+                for (i, (a, b)) in told.into_iter().zip(forces(&apart.resultants(&near))).enumerate() {
+                    let off = most(a - b) / sizes()[i];
+                    worst = worst.max(off);
+                    assert!(off < 1e-9, "{name}: {off:.1e}");
+                }
+            }
+        }
+    }
+    println!("{worst:.1e}");
+}
+
 /// A history taken up from its numbers goes on to the same bits; evaluations and a second commit leave it alone.
 #[test]
 fn a_history_taken_up_goes_on_to_the_same_bits() {

@@ -6,7 +6,7 @@ use std::any::Any;
 
 use shell_kinematics::{
     IsotropicSection, LANES, Measures, Number, Pack, Pack3, Placement, PlacementForces, Section, SectionOf,
-    StrainMeasure, Strains, StrainsOf, StretchCorrected,
+    StrainMeasure, Strains, StrainsOf,
 };
 
 use crate::control::arcs::ArcPack;
@@ -35,9 +35,9 @@ impl<M: ?Sized, S: ?Sized> Clone for PointLaw<'_, M, S> {
 impl<M: ?Sized, S: ?Sized> Copy for PointLaw<'_, M, S> {}
 
 impl PointLaw<'_> {
-    /// The strain measure and section of most scenes, for which sweeps are compiled in.
+    /// The strain measure and section of most scenes, or the measure of large strains with that section: pairs for which sweeps are compiled in.
     #[inline(always)]
-    pub fn default_pair(&self) -> Option<PointLaw<'_, StretchCorrected, IsotropicSection>> {
+    pub fn of_pair<M: StrainMeasure>(&self) -> Option<PointLaw<'_, M, IsotropicSection>> {
         let strain = (self.strain as &dyn Any).downcast_ref()?;
         let section = (self.section as &dyn Any).downcast_ref()?;
         Some(PointLaw { strain, section, yielding: None })

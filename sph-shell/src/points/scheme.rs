@@ -7,12 +7,13 @@ use crate::control::cells::CellPack;
 use crate::control::pairs::PairControl;
 use crate::control::shear::ShearPack;
 use crate::control::yielding::YieldingControl;
+use crate::dispatch::widest;
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
 use crate::gather::{Gather, Place, Places};
 use crate::packs::{Constants, Packs, Row};
 use crate::points::point::Point;
-use crate::points::remembering::RememberingPack;
+use crate::points::remembering::{Committing, RememberingPack};
 use crate::points::strong_form::StrongForm;
 use crate::reference::Reference;
 use crate::regions::Scales;
@@ -201,9 +202,7 @@ impl Points {
         let Sections::Remembering(packs) = &mut self.sections else { return };
         let mut packs = std::mem::take(packs);
         parallel::chunks(threads, &mut packs[..], |first, chunk: &mut [RememberingPack]| {
-            for (i, pack) in chunk.iter_mut().enumerate() {
-                pack.commit(&self.point(first + i).strained::<true, _>(strain, state));
-            }
+            widest(Committing { points: self, strain, state, first, packs: chunk });
         });
         self.sections = Sections::Remembering(packs);
     }

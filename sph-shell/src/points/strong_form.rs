@@ -22,7 +22,7 @@
 //! Each pair uses the gradient of its first particle: forces do not cancel in pairs, the linearised operator is not symmetric,
 //! and there is no energy behind it. docs/formulations.md says what that costs, with the eigenvalues.
 
-use shell_kinematics::{LANES, Pack3, SectionOf, SectionScales, StrainsOf};
+use shell_kinematics::{LANES, Pack3, SectionOf, SectionScales, StrainsOf, StretchCorrected};
 
 use crate::control::pairs::PairControl;
 use crate::control::shear::ShearPack;
@@ -246,7 +246,7 @@ impl Work for Sampled<'_, '_> {
     #[inline(always)]
     fn run<R: Registers>(mut self, registers: R) -> f64 {
         let law = self.law;
-        match (law.default_pair(), self.energy) {
+        match (law.of_pair::<StretchCorrected>(), self.energy) {
             (_, true) => self.all::<true, _, _, _>(Baseline, law),
             (None, false) => self.all::<false, _, _, _>(Baseline, law),
             (Some(law), false) => self.all::<false, _, _, _>(registers, law),

@@ -11,7 +11,6 @@ use crate::dispatch::{Work, widest};
 use crate::gather::Place;
 use crate::packs::{Packs, PointPack, Row};
 use crate::points::point::{Point, PointForces, PointLaw, signed};
-use crate::points::remembering::RememberingPack;
 use crate::points::scheme::{Points, Sections};
 use crate::registers::{Baseline, Registers};
 
@@ -59,12 +58,18 @@ impl<'a> Sweep<'a> {
             Sections::One => {}
             Sections::Own(own) => return self.cells_of_sections(own, packs, ring, energies),
             Sections::Stressed(own) => return self.cells_of_sections(own, packs, ring, energies),
-            Sections::Remembering(own) => return self.cells_that_remember(own, packs, ring, energies),
+            Sections::Remembering(own) => {
+                return self.cells_that_remember(registers, own, packs, ring, energies);
+            }
         }
-        match (self.law.default_pair(), self.energy) {
-            (_, true) => self.cells::<true, _, _, _>(Baseline, self.law, packs, ring, energies),
-            (None, false) => self.cells::<false, _, _, _>(Baseline, self.law, packs, ring, energies),
-            (Some(law), false) => self.cells::<false, _, _, _>(registers, law, packs, ring, energies),
+        if self.energy {
+            self.cells::<true, _, _, _>(Baseline, self.law, packs, ring, energies);
+        } else if let Some(law) = self.law.of_pair::<StretchCorrected>() {
+            self.cells::<false, _, _, _>(registers, law, packs, ring, energies);
+        } else if let Some(law) = self.law.of_pair::<Logarithmic>() {
+            self.cells::<false, _, _, _>(registers, law, packs, ring, energies);
+        } else {
+            self.cells::<false, _, _, _>(Baseline, self.law, packs, ring, energies);
         }
     }
 
@@ -106,30 +111,6 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Packs whose sections have a memory, one after the other.
-    #[inline(always)]
-    fn cells_that_remember(
-        &self,
-        own: &[RememberingPack],
-        packs: Range<usize>,
-        ring: &mut Ring,
-        energies: &mut [f64],
-    ) {
-        let strain = (self.law.strain as &dyn Any).downcast_ref::<Logarithmic>();
-        for (index, energy) in packs.zip(energies) {
-            let RememberingPack { section, control } = &own[index];
-            let (pack, energy) = (index..index + 1, std::slice::from_mut(energy));
-            let yielding = Some(control);
-            let law = PointLaw { strain: self.law.strain, section, yielding };
-            let logarithmic = strain.map(|strain| PointLaw { strain, section, yielding });
-            match (logarithmic, self.energy) {
-                (Some(law), false) => self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy),
-                (None, false) => self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy),
-                (_, true) => self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy),
-            }
-        }
-    }
-
     /// The same with strain measures of their own.
     fn cells_of_strains<S: SectionOf<Pack>>(
         &self,
@@ -150,7 +131,7 @@ impl<'a> Sweep<'a> {
     }
 
     #[inline(always)]
-    fn cells<
+    pub(super) fn cells<
         const ENERGY: bool,
         R: Registers,
         M: StrainsOf<R::Four> + ?Sized,
@@ -259,7 +240,7 @@ impl Work for Leaf<'_, '_> {
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) {
         let Self { sweep, first, slots, energies } = self;
-        match (sweep.law.default_pair(), sweep.energy) {
+        match (sweep.law.of_pair::<StretchCorrected>(), sweep.energy) {
             (_, true) => sweep.range::<true, _, _, _>(Baseline, sweep.law, first, slots, energies),
             (None, false) => sweep.range::<false, _, _, _>(Baseline, sweep.law, first, slots, energies),
             (Some(law), false) => sweep.range::<false, _, _, _>(registers, law, first, slots, energies),

@@ -10,7 +10,8 @@
 use std::ops::Range;
 
 use shell_kinematics::{
-    LANES, Matrix8, MeasureForces, Pack, Placement, Section, StrainMeasure, StrainsOf, congruence,
+    LANES, Matrix8, MeasureForces, Pack, Placement, Section, StrainMeasure, StrainsOf, StretchCorrected,
+    congruence,
 };
 
 use crate::Shell;
@@ -181,7 +182,7 @@ impl Work for Leaf<'_, '_> {
     fn run<R: Registers>(self, _: R) {
         let Self { assembly, rows, blocks } = self;
         let law = assembly.shell.material.law();
-        match law.default_pair() {
+        match law.of_pair::<StretchCorrected>() {
             Some(law) => assembly.packs(law, &rows, blocks),
             None => assembly.packs(law, &rows, blocks),
         }

@@ -1,0 +1,54 @@
+//! A ply of a section that yields: its law, its points, and their strains.
+
+use super::functions::three;
+use super::modes::Modes;
+use super::return_map::PointLaw;
+use super::slices::Slice;
+use super::thickness::Lever;
+use crate::pack::Number;
+use crate::strains::Strains;
+
+/// Numbers of a history that each slice has: three plastic strains in the coordinates of [`super::modes`], then α.
+pub(super) const OF_SLICE: usize = 4;
+
+/// One ply with its points.
+#[derive(Clone, Debug)]
+pub(super) struct Layer {
+    pub law: PointLaw,
+    pub modes: Modes,
+    pub slices: Vec<Slice>,
+    /// The place of its first number in a history.
+    pub first: usize,
+    /// `∂ ln λ₃/∂x` and `∂ ln λ₃/∂e_p` of the ply alone.
+    pub thinning: [[f64; 3]; 2],
+}
+
+/// Strains through the thickness of a ply, in the coordinates of its modes.
+#[derive(Clone, Copy)]
+pub(super) struct Across<P> {
+    middle: [P; 3],
+    slope: [P; 3],
+}
+
+impl<P: Number> Across<P> {
+    #[inline(always)]
+    pub fn at(&self, slice: &Slice) -> [P; 3] {
+        three(|i| self.middle[i] + self.slope[i] * slice.height)
+    }
+}
+
+impl Layer {
+    #[inline(always)]
+    pub fn across<P: Number>(&self, strains: &Strains<P>, lever: &Lever<P>) -> Across<P> {
+        Across {
+            middle: self.modes.of_strains(&strains.membrane),
+            slope: self.modes.of_strains(&lever.slope(&strains.curvature)),
+        }
+    }
+
+    /// Its points, each with the place of its numbers in a history.
+    #[inline(always)]
+    pub fn points(&self) -> impl Iterator<Item = (&Slice, usize)> {
+        self.slices.iter().enumerate().map(|(i, slice)| (slice, self.first + OF_SLICE * i))
+    }
+}
