@@ -126,6 +126,8 @@ pub enum WarningKind {
     BeyondData,
     /// Much of the work goes into the control of zero-energy modes of cells that yield.
     StiffControl,
+    /// Cells of a shell that yields which are drawn thin and harden by less than that.
+    Necking,
     /// States at which a march came to rest without a look at whether they are stable.
     StabilityUnknown,
     /// Energy that comes or goes in a march without a book that says whence or whither.
@@ -196,6 +198,7 @@ impl WarningKind {
             Self::FewSlices => "few-slices",
             Self::BeyondData => "beyond-data",
             Self::StiffControl => "stiff-control",
+            Self::Necking => "necking",
             Self::StabilityUnknown => "stability-unknown",
             Self::OpenBalance => "open-balance",
         }

@@ -166,6 +166,12 @@ fn doubtful_numbers_are_warned_of() {
     assert!(
         table(short).contains(&WarningKind::BeyondData) && !table(long).contains(&WarningKind::BeyondData)
     );
+    let drawn = |hardening: &str| kinds("strip-necking.toml", &[("material.plastic.hardening", hardening)]);
+    assert!(
+        drawn("{ swift = { factor = 600.0, offset = 0.01, exponent = 0.2 } }")
+            .contains(&WarningKind::Necking)
+    );
+    assert!(!drawn("{ linear = { yield-stress = 250.0, slope = 1500.0 } }").contains(&WarningKind::Necking));
     let cells = |particles: &str| {
         kinds(
             "cylinder-yielding.toml",

@@ -136,6 +136,12 @@ impl PlasticSection {
         self.layers.iter().map(|layer| layer.slices.len()).min().unwrap_or(0)
     }
 
+    /// Yield stress K \[F/L²\] and its slope K' at an equivalent plastic strain, of the ply with the least.
+    pub fn yield_at(&self, alpha: f64) -> [f64; 2] {
+        let all = self.layers.iter().map(|layer| layer.law.hardening().at(alpha));
+        all.fold([f64::INFINITY; 2], |[stress, slope], of| [stress.min(of.stress), slope.min(of.slope)])
+    }
+
     /// The least plastic strain beyond which a table of hardening says nothing \[–\]; none without tables.
     pub fn data_until(&self) -> Option<f64> {
         self.layers.iter().filter_map(|layer| layer.law.hardening().until()).reduce(f64::min)

@@ -1,6 +1,6 @@
 //! What the particles of a shell that yields have gone through, from its cells.
 
-use sph_shell::Shell;
+use sph_shell::{Shell, Yielded};
 
 use crate::bodies::Yielding;
 use crate::{Warning, WarningKind};
@@ -9,6 +9,8 @@ use crate::{Warning, WarningKind};
 /// 16 cells a side, .7 to 2.3 % with 4.
 const MUCH: f64 = 0.01;
 
+/// Thinning from which a neck is looked for \[–\]: bending and point loads thin by less, and sheets that harden thin evenly.
+const THIN: f64 = 0.1;
 /// By particle: the greatest plastic strain and the least thickness of the cells round it, and its share of what they dissipated.
 pub(super) fn yielding(shell: &Shell) -> Vec<Yielding> {
     let of_cells = shell.yielded();
@@ -42,6 +44,7 @@ pub(super) fn warnings(shell: &Shell) -> Vec<Warning> {
         );
         out.push(Warning { kind: WarningKind::BeyondData, message });
     }
+    out.extend(necking(shell, &of_cells));
     let control: f64 = of_cells.iter().map(|own| own.control).sum();
     let work = shell.internal_work();
     let share = control / work;
@@ -55,4 +58,23 @@ pub(super) fn warnings(shell: &Shell) -> Vec<Warning> {
         out.push(Warning { kind: WarningKind::StiffControl, message });
     }
     out
+}
+
+/// Cells that are drawn thin and harden by less than they lose in thickness (Considère's criterion, K' < K): from there a strip gives way in one place.
+fn necking(shell: &Shell, of_cells: &[Yielded]) -> Option<Warning> {
+    let section = shell.plastic_section()?;
+    let gives_way = |own: &&Yielded| {
+        let [stress, slope] = section.yield_at(own.plastic_strain);
+        own.thickness < 1.0 - THIN && slope < stress
+    };
+    let (mut count, mut least) = (0, 1.0_f64);
+    for own in of_cells.iter().filter(gives_way) {
+        (count, least) = (count + 1, least.min(own.thickness));
+    }
+    let message = format!(
+        "{count} cells are drawn to {:.0} % of their thickness and harden by less than they get thinner (K' < K): a neck is as wide as a cell there, and what \
+         comes behind it depends on the mesh; read nothing beyond the greatest force, or compare lattices",
+        100.0 * least
+    );
+    (count > 0).then_some(Warning { kind: WarningKind::Necking, message })
 }
