@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use benchmarks_ref::fe_shell::cases::{CaseError, Solved};
 
+use super::lattices::Lattices;
 use super::metric::Metric;
 use super::outcome::Outcome;
 use crate::JudgeError;
@@ -19,6 +20,8 @@ pub struct Variant {
     pub grid: String,
     /// What is run.
     pub source: Problem,
+    /// What runs a study on other lattices; none of a scene, which has its own, and of what has none.
+    pub lattices: Option<Lattices>,
     /// Which set of runs it belongs to.
     pub effort: Effort,
     /// Whether every load level has to come to rest; false for methods known to flutter.
@@ -144,6 +147,7 @@ impl Variant {
             method: method.into(),
             grid,
             source,
+            lattices: None,
             effort: Effort::Usual,
             settles,
             alone: false,

@@ -7,8 +7,10 @@ mod drop;
 mod obstacle;
 mod speed;
 mod still_water;
+mod tilted_basin;
 mod wall_impact;
 
+use super::finer;
 use crate::Case;
 
 /// Every case, in the order of table and report.
@@ -22,5 +24,7 @@ pub fn all() -> Vec<Case> {
         wall_impact::case(),
         obstacle::case(),
         speed::case(),
+        tilted_basin::case(),
+        finer::collapsing_column(),
     ]
 }
