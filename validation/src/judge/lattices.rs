@@ -4,7 +4,6 @@ use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use std::sync::Arc;
 
 use super::outcome::Outcome;
-use super::variant::Variant;
 
 /// Spacings of the other lattices over its own: first those of marches in a plane, then those that `coque run --error` tries of all scenes.
 const MARCHED: [f64; 2] = [1.5, 2.25];
@@ -60,14 +59,6 @@ impl Lattices {
         let tried = (1..=2 * self.cells / self.step).map(|count| count * self.step);
         let near = tried.filter(|&cells| cells >= FEWEST && off(cells) <= libm::log(NEAR));
         near.min_by(|&a, &b| off(a).total_cmp(&off(b)))
-    }
-}
-
-impl Variant {
-    /// A study that runs on other lattices as well.
-    pub fn study_on(method: &str, grid: &str, lattices: Lattices) -> Self {
-        let (run, cells) = (lattices.run.clone(), lattices.cells);
-        Self { lattices: Some(lattices), ..Self::study(method, grid, move || run(cells)) }
     }
 }
 

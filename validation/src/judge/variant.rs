@@ -142,6 +142,12 @@ impl Variant {
         Self::of(method, grid.into(), Problem::Study(Arc::new(run)), false)
     }
 
+    /// A study that runs on other lattices as well.
+    pub fn study_on(method: &str, grid: &str, lattices: Lattices) -> Self {
+        let (run, cells) = (lattices.run.clone(), lattices.cells);
+        Self { lattices: Some(lattices), ..Self::study(method, grid, move || run(cells)) }
+    }
+
     fn of(method: &str, grid: String, source: Problem, settles: bool) -> Self {
         Self {
             method: method.into(),

@@ -35,6 +35,6 @@ pub fn all() -> Vec<Case> {
         scenes::case(),
         source_settings::case(),
         sprung_floor::case(),
-        finer::leaning_wall(),
+        finer::leaning_wall(measure::SHELL),
     ]
 }

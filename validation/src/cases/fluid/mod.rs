@@ -12,6 +12,7 @@ mod wall_impact;
 
 use super::finer;
 use crate::Case;
+use crate::support::fluids::KICKS;
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {
@@ -25,6 +26,6 @@ pub fn all() -> Vec<Case> {
         obstacle::case(),
         speed::case(),
         tilted_basin::case(),
-        finer::collapsing_column(),
+        finer::collapsing_column(KICKS),
     ]
 }

@@ -32,8 +32,8 @@ pub fn all() -> Vec<Case> {
         bricks::case(),
         speed::case(),
         thick_tube::case(),
-        finer::stub_solid(),
-        finer::pressed_pad(),
+        finer::stub_solid(INCREMENTS),
+        finer::pressed_pad(INCREMENTS),
     ]
 }
 

@@ -24,6 +24,7 @@ mod wave;
 
 use super::{family, finer};
 use crate::Case;
+use crate::methods::STATE;
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {
@@ -41,8 +42,8 @@ pub fn all() -> Vec<Case> {
             drift::case(),
             smooth_box::case(),
             falling_bar::case(),
-            finer::stub_of_bonds(),
-            finer::pulled_hole(),
+            finer::stub_of_bonds(STATE),
+            finer::pulled_hole(STATE),
         ],
     ));
     cases.extend(family(
