@@ -116,6 +116,33 @@ fn half_of_a_beam_is_the_half_of_the_whole() {
 
 /// A set that is no whole face has no plane that bonds could reach across.
 #[test]
+fn a_hole_stays_where_another_spacing_is_set() {
+    let cut = BAR.replace(
+        "geometry.block",
+        "geometry.cut_outs = [{ box = { min = [1.4, 0.4, -1.0], max = [1.6, 0.6, 2.0] } }]\ngeometry.block",
+    );
+    let nodes = |set: &[(&str, &str)]| {
+        let model = scene(&cut, set).build(1).unwrap();
+        model.description.particles
+    };
+    let (path, spacing) = ("bodies.bar.solid.geometry.block.spacing", "0.2");
+    let whole = scene(BAR, &[(path, spacing)]).build(1).unwrap().description.particles;
+    assert!(nodes(&[(path, spacing)]) < whole, "{whole}");
+    // And the block, where what is cut out of it is set.
+    assert_eq!(nodes(&[(path, spacing), ("bodies.bar.solid.geometry.cut_outs", "[]")]), whole);
+}
+
+/// Faces of nodes at centres are their outermost layers, which any number of cells has.
+#[test]
+fn bonds_between_mirrors_are_run_on_coarser_lattices() {
+    let block = "{ lengths = [4.0, 1.0, 1.0], spacing = 0.125 }";
+    let set = [("bodies.bar.solid.geometry.block", block), ("curve", "[]"), ("sets", "{}")];
+    let found = scene(BAR, &set).companions(1).unwrap();
+    let spacings: Vec<f64> = found.lattices.iter().map(|lattice| lattice.spacing).collect();
+    assert!(spacings.len() == 2 && spacings.iter().all(|&spacing| spacing > 1.2), "{spacings:?}");
+}
+
+#[test]
 fn symmetry_on_part_of_a_face_is_refused() {
     let part = ("supports[1].on", r#""place""#);
     let error = scene(HALF, &[part]).build(1).err().unwrap().to_string();

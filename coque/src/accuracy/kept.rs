@@ -2,7 +2,7 @@
 //!
 //! A set that reaches from the k-th to the l-th row of n cells stays where it is on m cells if k m/n and l m/n are whole: m is a multiple of
 //! n/gcd(n, k) and n/gcd(n, l). Without that the point of a column jumps to the next particle, and differences between lattices tell of the
-//! jump alone.
+//! jump alone. A face of nodes at centres is their outermost layer on every lattice: it comes to lie on the face as the spacing falls, and asks for nothing.
 
 use std::collections::BTreeMap;
 
@@ -10,6 +10,9 @@ use sph_core::{NodePlaces, Vec3};
 
 use super::refined::cells;
 use crate::scene::{BodyScene, Checked, Scene};
+
+/// Faces of a block.
+const FACES: [&str; 6] = ["x0", "x1", "y0", "y1", "z0", "z1"];
 
 /// A declared or middle set, and what it asks of the numbers of cells.
 pub(super) struct KeptSet {
@@ -28,10 +31,13 @@ pub(super) fn kept(scene: &Checked, rest: &[Vec3], sets: &BTreeMap<String, Vec<u
     let is_named = |name: &String| acting.contains(name) || reading.contains(name);
     let wanted = sets.iter().filter(|(name, _)| is_named(name) || scene.sets.contains_key(*name));
     let one = |(name, members): (&String, &Vec<u32>)| {
-        // Between nodes at centres a point falls to the nearest on every lattice.
-        let point = scene.sets.get(name).is_some_and(|region| region.nearest.is_some());
+        // Between nodes at centres a point falls to the nearest on every lattice, and a face is the outermost of them.
+        let free = match scene.sets.get(name) {
+            Some(region) => region.nearest.is_some(),
+            None => FACES.contains(&name.as_str()),
+        };
         let multiples =
-            if point && rows.centred { vec![1; rows.cells.len()] } else { rows.multiples(members) };
+            if free && rows.centred { vec![1; rows.cells.len()] } else { rows.multiples(members) };
         // What neither acts nor is read may hold cells of a part.
         let read_only = reading.contains(name) && !acting.contains(name);
         KeptSet { name: name.clone(), multiples, read_only }

@@ -12,6 +12,9 @@ use super::source::Source;
 /// Tables that hold one of several alternatives: naming another one drops the first.
 const ALTERNATIVES: [&str; 5] = ["geometry", "material", "section", "formulation", "analysis"];
 
+/// Keys of such tables that stand beside the one of several, and neither drop it nor go with it.
+const BESIDE: [&str; 1] = ["cut_outs"];
+
 /// In place of the number of an item: one more, behind the last.
 const APPENDED: &str = "+";
 
@@ -140,10 +143,11 @@ fn insert<'i>(
     }
     match table.get_mut(&name).map(Spanned::get_mut) {
         Some(DeValue::Table(inner)) => {
-            if ALTERNATIVES.contains(&key.as_str()) {
+            let beside = |word: &str| BESIDE.contains(&word);
+            if ALTERNATIVES.contains(&key.as_str()) && !beside(&rest[0]) {
                 *inner = std::mem::take(inner)
                     .into_iter()
-                    .filter(|(word, _)| **word.get_ref() == rest[0])
+                    .filter(|(word, _)| **word.get_ref() == rest[0] || beside(word.get_ref()))
                     .collect();
             }
             insert(inner, rest, value, line)

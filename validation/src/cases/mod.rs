@@ -4,6 +4,7 @@ pub mod option_cost;
 
 mod contact;
 mod coupled;
+mod finer;
 mod fluid;
 mod forecast;
 mod forecast_solids;

@@ -1,7 +1,7 @@
 //! Claimed against true error: the bars that `coque run --error` gives, held against references that are not our own.
 //!
-//! Every scene of the cases runs on its own lattice and on those beside it; the numbers that a case compares with a reference are found on each by
-//! the case itself, and their bars by the rule of `coque::accuracy`. Cases are split by a hash of their names: the rule was chosen on one half, and
+//! Every scene of the cases runs on its own lattice and on those beside it, studies that know their number of cells on others as far apart; the
+//! numbers that a case compares with a reference are found on each by the case itself, and their bars by the rule of `coque::accuracy`. Cases are split by a hash of their names: the rule was chosen on one half, and
 //! is judged on the other.
 
 mod dots;
@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use coque::accuracy::Companions;
 use coque::{Checked, Scene, Silent};
 
-use crate::judge::{Case, Outcome, Problem, Run, Runs, Selection, Variant, choose, metrics};
+use crate::judge::{Case, Lattices, Outcome, Problem, Run, Runs, Selection, Variant, choose, metrics};
 use crate::{JudgeError, Metric};
 
 /// Runs of a case on one lattice after the other, the scene's own first; none where a scene has no other lattice.
@@ -24,6 +24,12 @@ struct OnLattices {
     variant: Variant,
     spacings: Vec<f64>,
     outcomes: Vec<Outcome>,
+}
+
+/// What runs on several lattices.
+enum Source {
+    Scene(Box<Checked>),
+    Study(Lattices),
 }
 
 /// Runs what is selected of the cases on all lattices; a dot for each number that is compared with a reference.
@@ -36,24 +42,29 @@ pub fn claimed(
     tell: &(dyn Fn(String) + Sync),
 ) -> Result<Vec<Dot>, JudgeError> {
     let cases = choose(cases, selection)?;
-    let mut scenes = Vec::new();
+    let mut sources = Vec::new();
     for (number, (case, _)) in cases.iter().enumerate() {
         for variant in &case.variants {
-            if let Problem::Scene { text, set } = &variant.source {
-                let scene = Scene::with_overrides(text, case.name, set);
-                // Scenes with the surfaces of their cases are built by these.
-                scenes.extend(scene.ok().map(|scene| (number, variant.clone(), scene)));
-            }
+            let source = match (&variant.source, &variant.lattices) {
+                (Problem::Scene { text, set }, _) => {
+                    // Scenes with the surfaces of their cases are built by these.
+                    let scene = Scene::with_overrides(text, case.name, set);
+                    scene.ok().map(|scene| Source::Scene(Box::new(scene)))
+                }
+                (Problem::Study(_), lattices) => lattices.clone().map(Source::Study),
+            };
+            sources.extend(source.map(|source| (number, variant.clone(), source)));
         }
     }
-    let (next, ended, count) = (AtomicUsize::new(0), AtomicUsize::new(0), scenes.len());
+    let (next, ended, count) = (AtomicUsize::new(0), AtomicUsize::new(0), sources.len());
     let found: Mutex<Vec<(usize, usize, OnLattices)>> = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
         for _ in 0..selection.jobs.clamp(1, count.max(1)) {
             scope.spawn(|| {
-                while let Some((number, variant, scene)) = scenes.get(next.fetch_add(1, Ordering::Relaxed)) {
+                while let Some((number, variant, source)) = sources.get(next.fetch_add(1, Ordering::Relaxed))
+                {
                     let at = ended.fetch_add(1, Ordering::Relaxed) + 1;
-                    let ran = on_lattices(variant, scene);
+                    let ran = on_lattices(variant, source);
                     let how = match &ran {
                         Ok(ran) => format!("{} lattices", ran.outcomes.len()),
                         Err(why) => format!("no bar: {why}"),
@@ -102,20 +113,37 @@ fn of_lattice(
     metrics(case, &run, &runs).unwrap_or_default()
 }
 
-/// A scene on its own lattice and those beside it.
-fn on_lattices(variant: &Variant, scene: &Checked) -> Result<OnLattices, String> {
-    let Companions { lattices, .. } = scene.companions(1)?;
-    let run = |scene: &Checked| -> Result<Outcome, String> {
-        let model = scene.build(1).map_err(|error| error.to_string())?;
-        Ok(Outcome::from(model.run(&mut Silent)))
-    };
-    let (mut spacings, mut outcomes) = (vec![1.0], vec![run(scene)?]);
-    for companion in &lattices {
-        // What is refused or ends early there leaves its numbers without an answer.
-        if let Ok(outcome) = run(&companion.scene) {
-            spacings.push(companion.spacing);
+/// What is run on its own lattice and those beside it.
+fn on_lattices(variant: &Variant, source: &Source) -> Result<OnLattices, String> {
+    let (mut spacings, mut outcomes) = (vec![1.0], Vec::new());
+    // What is refused or ends early on another lattice leaves its numbers without an answer.
+    let mut keep = |spacing: f64, outcome: Result<Outcome, String>| {
+        if let Ok(outcome) = outcome {
+            spacings.push(spacing);
             outcomes.push(outcome);
         }
-    }
+    };
+    let own = match source {
+        Source::Scene(scene) => {
+            let Companions { lattices, .. } = scene.companions(1)?;
+            let own = run(scene)?;
+            lattices.iter().for_each(|companion| keep(companion.spacing, run(&companion.scene)));
+            own
+        }
+        Source::Study(study) => {
+            let others = study.others()?;
+            let own = (study.run)(study.cells)?;
+            let spacing = |cells: usize| study.cells as f64 / cells as f64;
+            others.into_iter().for_each(|cells| keep(spacing(cells), (study.run)(cells)));
+            own
+        }
+    };
+    outcomes.insert(0, own);
     Ok(OnLattices { variant: variant.clone(), spacings, outcomes })
+}
+
+/// Runs a scene.
+fn run(scene: &Checked) -> Result<Outcome, String> {
+    let model = scene.build(1).map_err(|error| error.to_string())?;
+    Ok(Outcome::from(model.run(&mut Silent)))
 }

@@ -4,6 +4,7 @@ mod asked;
 mod case;
 mod commit;
 mod film;
+mod lattices;
 pub mod measure;
 mod measured;
 mod metric;
@@ -16,6 +17,7 @@ mod variant;
 
 pub use asked::silent;
 pub use case::{Case, Headline, Published, Recorded};
+pub use lattices::Lattices;
 pub use measured::Measured;
 pub use metric::{Found, Metric, Verdict};
 pub use outcome::{Outcome, Solver};

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use benchmarks_ref::fe_shell::cases::{CaseError, Solved};
 
+use super::lattices::Lattices;
 use super::metric::Metric;
 use super::outcome::Outcome;
 use crate::JudgeError;
@@ -19,6 +20,8 @@ pub struct Variant {
     pub grid: String,
     /// What is run.
     pub source: Problem,
+    /// What runs a study on other lattices; none of a scene, which has its own, and of what has none.
+    pub lattices: Option<Lattices>,
     /// Which set of runs it belongs to.
     pub effort: Effort,
     /// Whether every load level has to come to rest; false for methods known to flutter.
@@ -139,11 +142,18 @@ impl Variant {
         Self::of(method, grid.into(), Problem::Study(Arc::new(run)), false)
     }
 
+    /// A study that runs on other lattices as well.
+    pub fn study_on(method: &str, grid: &str, lattices: Lattices) -> Self {
+        let (run, cells) = (lattices.run.clone(), lattices.cells);
+        Self { lattices: Some(lattices), ..Self::study(method, grid, move || run(cells)) }
+    }
+
     fn of(method: &str, grid: String, source: Problem, settles: bool) -> Self {
         Self {
             method: method.into(),
             grid,
             source,
+            lattices: None,
             effort: Effort::Usual,
             settles,
             alone: false,

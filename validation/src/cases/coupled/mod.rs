@@ -11,10 +11,12 @@ mod plate;
 mod ring;
 mod scenes;
 mod source_settings;
+mod sprung_floor;
 mod square;
 mod turek_hron;
 mod wedge;
 
+use super::finer;
 use crate::Case;
 
 /// Every case, in the order of table and report.
@@ -32,5 +34,7 @@ pub fn all() -> Vec<Case> {
         baffle::case(),
         scenes::case(),
         source_settings::case(),
+        sprung_floor::case(),
+        finer::leaning_wall(measure::SHELL),
     ]
 }

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use fluid_sph::{Fluid, Formulation, Parts};
 use sph_core::Vec3;
 
-use crate::judge::{Case, Headline, Outcome, Run, Variant};
+use crate::judge::{Case, Headline, Lattices, Outcome, Run, Variant};
 use crate::support::fluids::{GRAVITY, KICKS, apart, basin, domain, filled, march, water};
 use crate::support::studies::{SHOWN, figure};
 use crate::{JudgeError, Metric};
@@ -49,11 +49,17 @@ fn variants() -> Vec<Variant> {
         .map(|(dx, formulation, quick)| {
             let viscous = if formulation.kinematic_viscosity > 0.0 { ", laminar" } else { "" };
             let grid = format!("Δx {} mm{viscous}{}", 1000.0 * dx, apart(&formulation));
-            let run = move || swung(dx, formulation).map_err(|e| e.to_string());
+            let run = move |deep: usize| swung(DEPTH / deep as f64, formulation).map_err(|e| e.to_string());
             let (viscous, asked) = (!viscous.is_empty(), formulation == usual);
-            Variant::study(KICKS, &grid, run)
-                .quick_if(quick)
-                .judged(move |run, _| judged(asked, viscous, run))
+            let cells = (DEPTH / dx).round() as usize;
+            let study = if viscous || formulation == narrow {
+                // Its layers at the walls are in no closed form of the frequency, and neither is the stiffness of the lattice under the narrow kernel.
+                Variant::study(KICKS, &grid, move || run(cells))
+            } else {
+                // The basin is eight thirds as wide as the water is deep.
+                Variant::study_on(KICKS, &grid, Lattices::marched(cells, 3, run))
+            };
+            study.quick_if(quick).judged(move |run, _| judged(asked, viscous, run))
         })
         .collect()
 }

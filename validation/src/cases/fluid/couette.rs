@@ -7,7 +7,7 @@ use explicit_dynamics::Amplitude;
 use fluid_sph::{Fluid, Formulation, Motion, Parts, Rotation, Start, Wall};
 use sph_core::Vec3;
 
-use crate::judge::{Case, Headline, Outcome, Run, Variant};
+use crate::judge::{Case, Headline, Lattices, Outcome, Run, Variant};
 use crate::support::fluids::{CORRECTED, DENSITY, KICKS, formulation, march, rows, water};
 use crate::support::studies::figure;
 use crate::{JudgeError, Metric};
@@ -53,8 +53,8 @@ fn variants() -> Vec<Variant> {
     ]
     .into_iter()
     .map(|(method, across, measured, quick)| {
-        let run = move || turned(across, formulation(method)).map_err(|e| e.to_string());
-        Variant::study(method, &format!("d/Δx {across}"), run)
+        let run = move |across: usize| turned(across, formulation(method)).map_err(|e| e.to_string());
+        Variant::study_on(method, &format!("d/Δx {across}"), Lattices::marched(across, 1, run))
             .quick_if(quick)
             .full_if(across > 20 || (across > 10 && method != KICKS))
             .judged(move |run, _| judged(measured, run))

@@ -5,7 +5,7 @@ use std::error::Error;
 use fluid_sph::{Fluid, Formulation, Parts, Start};
 use sph_core::Vec3;
 
-use crate::judge::{Case, Headline, Outcome, Run, Variant};
+use crate::judge::{Case, Headline, Lattices, Outcome, Run, Variant};
 use crate::support::fluids::{CORRECTED, KICKS, PUBLISHED, apart, filled, formulation, march, water};
 use crate::support::studies::figure;
 use crate::{JudgeError, Metric};
@@ -58,8 +58,8 @@ fn variants() -> Vec<Variant> {
     .map(|(method, across, formulation, quick)| {
         let named = if method == PUBLISHED { String::new() } else { apart(&formulation) };
         let grid = format!("R/Δx {across}{named}");
-        let run = move || stretched(across, formulation).map_err(|e| e.to_string());
-        Variant::study(method, &grid, run).quick_if(quick).full_if(across > 50).judged(move |run, _| judged(across, &formulation, run))
+        let run = move |across: usize| stretched(across, formulation).map_err(|e| e.to_string());
+        Variant::study_on(method, &grid, Lattices::marched(across, 1, run)).quick_if(quick).full_if(across > 50).judged(move |run, _| judged(across, &formulation, run))
     })
     .collect()
 }

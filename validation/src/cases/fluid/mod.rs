@@ -7,9 +7,12 @@ mod drop;
 mod obstacle;
 mod speed;
 mod still_water;
+mod tilted_basin;
 mod wall_impact;
 
+use super::finer;
 use crate::Case;
+use crate::support::fluids::KICKS;
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {
@@ -22,5 +25,7 @@ pub fn all() -> Vec<Case> {
         wall_impact::case(),
         obstacle::case(),
         speed::case(),
+        tilted_basin::case(),
+        finer::collapsing_column(KICKS),
     ]
 }

@@ -4,7 +4,7 @@ use std::error::Error;
 
 use fluid_sph::{Fluid, Formulation, Parts, WallRule};
 
-use crate::judge::{Case, Headline, Outcome, Run, Variant};
+use crate::judge::{Case, Headline, Lattices, Outcome, Run, Variant};
 use crate::support::fluids::{
     CORRECTED, DENSITY, GRAVITY, KICKS, PUBLISHED, apart, basin, domain, filled, formulation, march, water,
 };
@@ -87,8 +87,14 @@ fn variants() -> Vec<Variant> {
         let grid = format!("{dimensions}D, H/Δx {high}{named}");
         let plain = method == KICKS && named.is_empty();
         let long = high > 50 || (high == 50 && !plain) || (dimensions == 3 && high > 10);
-        let run = move || basin.run().map_err(|e| e.to_string());
-        Variant::study(method, &grid, run)
+        let run = move |high: usize| Basin { high, ..basin }.run().map_err(|e| e.to_string());
+        // The basin is two fifths as wide as the water is high.
+        let study = if dimensions == 2 {
+            Variant::study_on(method, &grid, Lattices::marched(high, 5, run))
+        } else {
+            Variant::study(method, &grid, move || run(high))
+        };
+        study
             .quick_if(quick)
             .full_if(long)
             .judged(move |run, _| judged(asked, run))

@@ -56,7 +56,7 @@ fn variants() -> Vec<Variant> {
         bricks(PAIRS[0].2, || fe_solid::cantilever([20, 2, 2], 0.2, &LEVELS, false)).judged(of_calculix),
         bricks(PAIRS[2].2, || fe_solid::cantilever([10, 2, 2], 0.25, &LEVELS, true)),
         bricks(PAIRS[1].2, || fe_solid::plate(5, &PRESSURES)),
-        Variant::scene(ST_VENANT, CANTILEVER, PAIRS[0].1).set(&law("beam"), "st-venant"),
+        Variant::scene(ST_VENANT, CANTILEVER, PAIRS[0].1).set(&law("beam"), "st-venant").judged(finest),
         Variant::scene(ST_VENANT, PLATE, PAIRS[1].1)
             .set(&law("plate"), "st-venant")
             .static_levels(&PRESSURES),
@@ -102,6 +102,18 @@ fn of_calculix(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
     }
     let reason = "its figures have five digits, and a tolerance of balance of their own";
     Ok(vec![Metric::error("bricks of CalculiX", Some(most), "L").within(5e-5, reason)])
+}
+
+/// The finest bricks of another program, by levels.
+fn finest(run: &Run, _: &Runs) -> Result<Vec<Metric>, JudgeError> {
+    let table = reference("calculix_cantilever")?;
+    let metric = |k: u8| {
+        let name = format!("w/L at K = {k}");
+        let known = table.number(table.rows.len() - 1, &name)?;
+        let found = Metric::compared(name, run.at("w", f64::from(k))?, "L", known);
+        Ok(found.near(0.5, "the mesh: two quadratic layers across bend stiffly"))
+    };
+    [1, 4, 8, 10].into_iter().map(metric).collect()
 }
 
 fn together(runs: &Runs) -> Result<Vec<Recorded>, JudgeError> {

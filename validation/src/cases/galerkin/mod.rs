@@ -8,9 +8,11 @@ mod one_solve;
 mod plates;
 mod shell_and_solid;
 mod speed;
+mod thick_tube;
 
 use benchmarks_ref::reference;
 
+use super::finer;
 use crate::JudgeError;
 use crate::judge::{Case, Run};
 
@@ -29,6 +31,9 @@ pub fn all() -> Vec<Case> {
         shell_and_solid::case(),
         bricks::case(),
         speed::case(),
+        thick_tube::case(),
+        finer::stub_solid(INCREMENTS),
+        finer::pressed_pad(INCREMENTS),
     ]
 }
 

@@ -8,7 +8,7 @@ use implicit_statics::{Equilibrium, linear_response};
 use peridynamics::{Correction, Elastic, Influence, Law, Space};
 use sph_core::Vec3;
 
-use crate::judge::{Case, Headline, Outcome, Run, Variant};
+use crate::judge::{Case, Headline, Lattices, Outcome, Run, Variant};
 use crate::methods::{PAIRWISE, STATE};
 use crate::support::misses::{Miss, between};
 use crate::support::solids::{formulation, found, held, lattice, nodes, parts, pulled, system};
@@ -46,8 +46,10 @@ fn variants() -> Vec<Variant> {
     let mut variants = Vec::new();
     for (method, law) in [(PAIRWISE, Law::BondBased), (STATE, Law::StateBased)] {
         for across in [3, 4] {
-            let bar = move || stretched(law, Correction::Even, across).map_err(|e| e.to_string());
-            variants.push(Variant::study(method, &format!("{across} across"), bar).quick().judged(even));
+            let bar =
+                move |across: usize| stretched(law, Correction::Even, across).map_err(|e| e.to_string());
+            let bar = Variant::study_on(method, &format!("{across} across"), Lattices::of(across, bar));
+            variants.push(bar.quick().judged(even));
         }
         for (words, correction, strain) in [
             ("3 across, uncorrected", Correction::None, if law == Law::BondBased { 1.584 } else { 0.589 }),

@@ -9,7 +9,7 @@ use implicit_statics::{Equilibrium, linear_response};
 use peridynamics::{Correction, Elastic, Law, Space};
 use sph_core::{CutOut, Vec3};
 
-use crate::judge::{Case, Headline, Outcome, Run, Runs, Variant};
+use crate::judge::{Case, Headline, Lattices, Outcome, Run, Runs, Variant};
 use crate::methods::{PAIRWISE, STATE};
 use crate::support::solids::{formulation, found, lattice, moved, nodes, parts, system};
 use crate::{JudgeError, Metric};
@@ -42,7 +42,9 @@ fn variants() -> Vec<Variant> {
     for (method, law) in [(PAIRWISE, Law::BondBased), (STATE, Law::StateBased)] {
         for (horizon, resolution) in [(3.015, 5), (3.015, 10), (1.5, 5), (1.5, 10)] {
             let grid = format!("R/Δx {resolution}, δ/Δx {horizon}");
-            let plate = move || holed(law, Correction::Even, horizon, resolution).map_err(|e| e.to_string());
+            let plate = move |resolution: usize| {
+                holed(law, Correction::Even, horizon, resolution).map_err(|e| e.to_string())
+            };
             let bound = if resolution == 5 { 2.0 } else { 1.0 };
             let judged = move |run: &Run, _: &Runs| -> Result<Vec<Metric>, JudgeError> {
                 Ok(vec![
@@ -52,7 +54,11 @@ fn variants() -> Vec<Variant> {
                         .shown("three or four nodes inside the horizon see the curved face"),
                 ])
             };
-            variants.push(Variant::study(method, &grid, plate).quick_if(resolution == 5).judged(judged));
+            variants.push(
+                Variant::study_on(method, &grid, Lattices::of(resolution, plate))
+                    .quick_if(resolution == 5)
+                    .judged(judged),
+            );
         }
     }
     variants

@@ -4,6 +4,7 @@ mod bar;
 mod branching;
 mod double_cantilever;
 mod drift;
+mod falling_bar;
 mod hole;
 mod kalthoff;
 mod measure;
@@ -15,13 +16,15 @@ mod plate_lattice;
 mod plate_post_buckling;
 mod plate_stability;
 mod plate_tear;
+mod smooth_box;
 mod strip;
 mod thin_plate;
 mod torsion;
 mod wave;
 
-use super::family;
+use super::{family, finer};
 use crate::Case;
+use crate::methods::STATE;
 
 /// Every case, in the order of table and report.
 pub fn all() -> Vec<Case> {
@@ -37,6 +40,10 @@ pub fn all() -> Vec<Case> {
             wave::case(),
             torsion::case(),
             drift::case(),
+            smooth_box::case(),
+            falling_bar::case(),
+            finer::stub_of_bonds(STATE),
+            finer::pulled_hole(STATE),
         ],
     ));
     cases.extend(family(
