@@ -112,6 +112,11 @@ impl Moduli {
         alone / (0..3).map(normal).sum::<f64>()
     }
 
+    /// Shear modulus \[F/L²\], if there are no preferred directions.
+    pub fn shear(&self) -> Option<f64> {
+        self.isotropic.then_some(self.stiffness[3][3])
+    }
+
     /// Moduli in space, the material axes being the columns of `axes`.
     pub fn turned(&self, axes: &Tensor) -> [[f64; 6]; 6] {
         if self.isotropic {

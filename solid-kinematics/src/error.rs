@@ -13,6 +13,11 @@ pub enum ElasticError {
         /// What it must be.
         bound: &'static str,
     },
+    /// Moduli with preferred directions of a material that flows.
+    #[error(
+        "a material that flows by von Mises' criterion has preferred directions; give it isotropic moduli"
+    )]
+    Preferred,
     /// Some strain would store no energy.
     #[error(
         "the orthotropic compliance is not positive definite: its least pivot over 1/E is {pivot:.3e}; lower Poisson's ratios, each |nu_ij| below sqrt(E_i/E_j)"

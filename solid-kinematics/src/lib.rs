@@ -8,6 +8,7 @@
 //! let material = Material {
 //!     moduli: Moduli::isotropic(200.0, 0.3)?,
 //!     formulation: Formulation::StrainRotation { update: Update::Midpoint, measure: StressMeasure::Kirchhoff },
+//!     plastic: None,
 //! };
 //! let rest = PointState::rest(Tensor::identity());
 //! let quarter = Tensor::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
@@ -48,6 +49,14 @@
 //! and 1.4e-3 of Young's modulus; simple shear γ gives τ₁₂ = G sin γ. It is meant for strains below .2 with any rotation.
 //! [`Formulation::StVenant`], `S = C:E`, is the check without history.
 //!
+//! # Flow
+//!
+//! A material with a [`Plastic`] yields by von Mises' criterion: the stress `s_n + C : AᵀSA` is led back to the surface by the radial return
+//! ([`Plastic`]; equations in `plastic.rs`), in the axes that turn with the point. Increments of strain are taken as the sum of an elastic and a
+//! plastic part and the moduli stay those of rest, which bounds it as the law itself: elastic strains are small in metals, and
+//! [`StressMeasure::Kirchhoff`] follows logarithmic strains where axes do not turn in the material; large shears turn the axes away from
+//! it. The memory of a point is its [`Flow`]. Only increments have it: St Venant's law takes no notice of it.
+//!
 //! # Derivatives
 //!
 //! [`Tangent::Continuum`] is that of the rate equation, symmetric and exact where a step begins; [`Tangent::Consistent`] differentiates the
@@ -68,12 +77,18 @@
 //! | the tangent is the derivative: where a step begins, over a step, St Venant's everywhere | `tangents_are_derivatives` (tests/tangents.rs) |
 //! | the compact form is the source's with four terms, all signs plus | `four_terms_make_the_compact_form` |
 //! | stress is the derivative of St Venant's energy | `st_venants_stress_is_the_derivative_of_its_energy` |
+//! | a step that flows ends on the surface, one that does not has the bits of elasticity | `what_flows_stands_on_the_surface` (tests/plastic.rs) |
+//! | the derivative of a step that flows; both where a step begins on the surface | `tangents_are_derivatives`, `a_step_begins_on_the_plastic_side` |
+//! | a bar there and back with both kinds of hardening, in closed form | `a_bar_is_pulled_and_pushed` |
+//! | no step wins energy; what is dissipated never falls | `work_is_stored_or_dissipated` |
+//! | no flow of moduli with preferred directions, no negative modulus | `what_is_no_plastic_material_is_refused` |
 //! | orthotropic moduli turned; isotropic ones as a case of them; bad constants | `moduli_turn_with_their_axes`, `equal_constants_are_isotropic`, `constants_that_are_no_material_are_refused` (tests/moduli.rs) |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod elastic;
 mod error;
+mod plastic;
 mod strain_rotation;
 mod tangent;
 mod update;
@@ -81,6 +96,7 @@ mod voigt;
 
 pub use elastic::{Moduli, Orthotropic};
 pub use error::{ElasticError, PointError};
+pub use plastic::{Flow, Plastic, YieldCurve};
 pub use strain_rotation::{StrainRotation, angle, cayley, decompose, half_turn};
 pub use tangent::{PointTangent, Tangent};
 pub use update::{Formulation, Material, PointState, StressMeasure, Trial, Update};

@@ -2,6 +2,7 @@
 
 use crate::Tensor;
 use crate::error::PointError;
+use crate::plastic::Softening;
 use crate::strain_rotation::{cayley, cosine, decompose, half_turn, parts, spin_product};
 use crate::update::{Formulation, Material, PointState, StressMeasure, Trial, Update, inverse};
 use crate::voigt::{PLACES, strains, stress_tensor};
@@ -39,7 +40,7 @@ impl Material {
         match (self.formulation, kind) {
             (Formulation::StVenant, _) => Ok(self.st_venant(trial)),
             (Formulation::StrainRotation { measure, .. }, Tangent::Continuum) => {
-                Ok(self.continuum(measure, trial))
+                Ok(self.continuum(measure, from, trial))
             }
             (Formulation::StrainRotation { update, measure }, Tangent::Consistent) => {
                 self.consistent(update, measure, from, trial)
@@ -48,9 +49,18 @@ impl Material {
     }
 
     /// `A_iJkL = F⁻¹_Jj F⁻¹_Ll A_ijkl`, `A_ijkl = C_ijkl + δ_ik τ_jl − ½(δ_ik τ_jl + δ_il τ_jk + δ_jk τ_il + δ_jl τ_ik)`
-    /// \[mcmeeking1975\].
-    fn continuum(&self, measure: StressMeasure, trial: &Trial) -> PointTangent {
-        let turned = self.moduli.turned(&trial.state.axes);
+    /// \[mcmeeking1975\], C less what flow takes of it over the step.
+    fn continuum(&self, measure: StressMeasure, from: &PointState, trial: &Trial) -> PointTangent {
+        let mut turned = self.moduli.turned(&trial.state.axes);
+        if let Some(softening) = self.softening(from, trial) {
+            let softening = softening.turned(&trial.state.axes);
+            for column in 0..6 {
+                let mut strain = [0.0; 6];
+                strain[column] = 1.0;
+                let taken = softening.stress(&strain);
+                (0..6).for_each(|row| turned[row][column] -= taken[row]);
+            }
+        }
         let volume = match measure {
             StressMeasure::Kirchhoff => 1.0,
             StressMeasure::Literal => trial.state.gradient.determinant(),
@@ -76,6 +86,11 @@ impl Material {
             }
         }
         pull_back(&space, &trial.inverse)
+    }
+
+    /// What flow takes from the moduli over the step of a trial.
+    fn softening(&self, from: &PointState, trial: &Trial) -> Option<Softening> {
+        self.plastic.as_ref().and_then(|plastic| plastic.softening(&from.flow, &trial.state))
     }
 
     /// `A_iJkL = δ_ik S_JL + F_iM C_MJNL F_kN`.
@@ -114,6 +129,7 @@ impl Material {
         trial: &Trial,
     ) -> Result<PointTangent, PointError> {
         let base = Linearised::at(update, from, trial)?;
+        let softening = self.softening(from, trial);
         let volumes = match measure {
             StressMeasure::Kirchhoff => None,
             StressMeasure::Literal => Some((from.gradient.determinant(), trial.state.gradient.determinant())),
@@ -127,7 +143,12 @@ impl Material {
             let (a, da) = (base.frame, turn.frame);
             let cross = a.transpose() * base.strain * da;
             let local = a.transpose() * strain * a + cross + cross.transpose();
-            let mut ds = self.moduli.stress(&strains(&local));
+            let local = strains(&local);
+            let mut ds = self.moduli.stress(&local);
+            if let Some(softening) = &softening {
+                let taken = softening.stress(&local);
+                ds = std::array::from_fn(|i| ds[i] - taken[i]);
+            }
             if let Some((before, now)) = volumes {
                 let mean = 0.5 * (before + now);
                 let rate = 0.5 * now * (trial.inverse * way).trace();

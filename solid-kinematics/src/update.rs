@@ -3,6 +3,7 @@
 use crate::Tensor;
 use crate::elastic::Moduli;
 use crate::error::PointError;
+use crate::plastic::{Flow, Plastic};
 use crate::strain_rotation::{
     StrainRotation, cayley, decompose, half_turn, orthonormal, parts, spin_product,
 };
@@ -57,12 +58,14 @@ pub struct PointState {
     pub axes: Tensor,
     /// Co-rotated Kirchhoff stress in material axes; of St Venant's solid the second Piola stress \[F/L²\].
     pub stress: [f64; 6],
+    /// What flow has left.
+    pub flow: Flow,
 }
 
 impl PointState {
     /// A point at rest with these material axes.
     pub fn rest(axes: Tensor) -> Self {
-        Self { gradient: Tensor::identity(), axes, stress: [0.0; 6] }
+        Self { gradient: Tensor::identity(), axes, stress: [0.0; 6], flow: Flow::default() }
     }
 }
 
@@ -82,12 +85,14 @@ pub struct Trial {
 }
 
 /// A material with its way to follow deformation.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Material {
     /// Elastic moduli in material axes.
     pub moduli: Moduli,
     /// How stress follows.
     pub formulation: Formulation,
+    /// How it yields, made of the same moduli; none of an elastic one.
+    pub plastic: Option<Plastic>,
 }
 
 impl Material {
@@ -101,7 +106,7 @@ impl Material {
             let stress = self.moduli.stress(&green(gradient, &from.axes));
             let piola = gradient * (from.axes * stress_tensor(&stress) * from.axes.transpose());
             let kirchhoff = piola * gradient.transpose();
-            let state = PointState { gradient: *gradient, axes: from.axes, stress };
+            let state = PointState { gradient: *gradient, axes: from.axes, stress, flow: from.flow };
             return Ok(Trial { state, kirchhoff, piola, inverse, turn: 0.0 });
         };
         let Increment { strain, rotation, frame, spin } = Increment::between(update, from, gradient)?;
@@ -112,21 +117,31 @@ impl Material {
             change.iter_mut().for_each(|s| *s *= mean);
         }
         let stress = std::array::from_fn(|i| from.stress[i] + change[i]);
+        let (stress, flow) = match &self.plastic {
+            None => (stress, from.flow),
+            Some(plastic) => plastic.returned(&stress, &from.flow),
+        };
         // Without a step the bits stay; else axes are left orthonormal to rounding.
         let axes = if spin == Tensor::zeros() { from.axes } else { orthonormal(&(rotation * from.axes)) };
         let kirchhoff = axes * stress_tensor(&stress) * axes.transpose();
         let piola = kirchhoff * inverse.transpose();
         let turn = spin_product(&spin, &spin).sqrt();
-        let state = PointState { gradient: *gradient, axes, stress };
+        let state = PointState { gradient: *gradient, axes, stress, flow };
         Ok(Trial { state, kirchhoff, piola, inverse, turn })
     }
 
     /// Energy per volume of rest that the present stress would release on a straight way to zero \[F/L²\]: St Venant's is stored,
-    /// that of increments hypoelastic.
+    /// that of increments hypoelastic. Of a material that flows what hardening has stored and what is dissipated come to it, so that it is the
+    /// work of the way.
     pub fn energy(&self, state: &PointState) -> f64 {
         match self.formulation {
             Formulation::StVenant => self.moduli.energy(&green(&state.gradient, &state.axes)),
-            Formulation::StrainRotation { .. } => self.moduli.complementary(&state.stress),
+            Formulation::StrainRotation { .. } => {
+                let elastic = self.moduli.complementary(&state.stress);
+                let flowed =
+                    |plastic: &Plastic| plastic.hardened(&state.flow) + plastic.dissipated(&state.flow);
+                self.plastic.as_ref().map_or(elastic, |plastic| elastic + flowed(plastic))
+            }
         }
     }
 }

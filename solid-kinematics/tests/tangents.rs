@@ -42,7 +42,7 @@ fn tangents_are_derivatives() {
     // differences: third derivatives of order one times step² = 1e-10, rounding 1e-16/1e-5
     let exact = 1e-9;
     for formulation in formulations() {
-        let material = Material { moduli: wood(), formulation };
+        let material = Material { moduli: wood(), formulation, plastic: None };
         let from = stressed(&material, &before);
         for kind in [Tangent::Continuum, Tangent::Consistent] {
             let found = miss(&material, &from, &before, kind);
@@ -54,7 +54,7 @@ fn tangents_are_derivatives() {
         let found = miss(&material, &from, &after, Tangent::Continuum);
         assert!(found > 1e-3 && found < 0.5, "{formulation:?} over a step, of the rate equation: {found:e}");
     }
-    let material = Material { moduli: wood(), formulation: Formulation::StVenant };
+    let material = Material { moduli: wood(), formulation: Formulation::StVenant, plastic: None };
     let from = stressed(&material, &before);
     let found = miss(&material, &from, &after, Tangent::Continuum);
     assert!(found < exact, "St Venant: {found:e}");
@@ -62,7 +62,7 @@ fn tangents_are_derivatives() {
 
 #[test]
 fn st_venants_stress_is_the_derivative_of_its_energy() {
-    let material = Material { moduli: wood(), formulation: Formulation::StVenant };
+    let material = Material { moduli: wood(), formulation: Formulation::StVenant, plastic: None };
     let (before, after) = step();
     let from = stressed(&material, &before);
     let piola = material.trial(&from, &after).unwrap().piola;
@@ -142,7 +142,7 @@ fn four_terms_make_the_compact_form() {
     let state = PointState { stress, ..PointState::rest(Tensor::identity()) };
     let formulation =
         Formulation::StrainRotation { update: Update::Midpoint, measure: StressMeasure::Kirchhoff };
-    let material = Material { moduli, formulation };
+    let material = Material { moduli, formulation, plastic: None };
     let trial = material.trial(&state, &Tensor::identity()).unwrap();
     let tangent = material.tangent(Tangent::Continuum, &state, &trial).unwrap();
     let (n, m) = ([0.3, -1.1, 0.8], [-0.5, 0.2, 1.3]);

@@ -17,7 +17,7 @@ fn a_turned_stretch_keeps_its_stress() {
     let right = std::f64::consts::FRAC_PI_2;
     let stretch = Tensor::identity() + Tensor::new(0.1, 0.02, 0.0, 0.02, -0.03, 0.01, 0.0, 0.01, 0.0);
     for formulation in formulations() {
-        let material = Material { moduli: wood(), formulation };
+        let material = Material { moduli: wood(), formulation, plastic: None };
         let stretched = material.trial(&rest(), &stretch).unwrap().state;
         for steps in 1..=8 {
             let turned = lead(&material, stretched, |t| rotation(AXES, t) * stretch, (0.0, right), steps);
@@ -112,7 +112,7 @@ fn a_closed_cycle_leaves_a_stress() {
             assert!((left / given - 1.0).abs() < 0.05, "amplitude {a}: {left:e} for {given:e}");
         }
     }
-    let elastic = Material { moduli: unit(), formulation: Formulation::StVenant };
+    let elastic = Material { moduli: unit(), formulation: Formulation::StVenant, plastic: None };
     assert!(after_a_cycle(&elastic, 0.2) < 1e-15);
 }
 
@@ -126,7 +126,7 @@ fn the_observer_does_not_matter() {
     let mut all = formulations().to_vec();
     all.push(Formulation::StVenant);
     for formulation in all {
-        let material = Material { moduli: wood(), formulation };
+        let material = Material { moduli: wood(), formulation, plastic: None };
         let (mut seen, mut turned) = (rest(), rest());
         // the second observer has turned already when the motion begins
         if formulation != Formulation::StVenant {
@@ -147,7 +147,7 @@ fn the_observer_does_not_matter() {
 #[test]
 fn what_is_turned_inside_out_is_refused() {
     for formulation in formulations().into_iter().chain([Formulation::StVenant]) {
-        let material = Material { moduli: unit(), formulation };
+        let material = Material { moduli: unit(), formulation, plastic: None };
         let flat = Tensor::from_diagonal(&Vector3::new(1.0, 1.0, -0.2));
         let error = material.trial(&rest(), &flat).unwrap_err();
         assert_eq!(error, PointError::Inverted { determinant: -0.2 });

@@ -88,7 +88,11 @@ fn tip(weight: Weight) -> Result<f64, Box<dyn Error>> {
         basis: Basis::Quadratic,
         support: Support::sphere(2.5),
         weight,
-        material: Material { moduli: Moduli::isotropic(1.0, 0.0)?, formulation: Formulation::StVenant },
+        material: Material {
+            moduli: Moduli::isotropic(1.0, 0.0)?,
+            formulation: Formulation::StVenant,
+            plastic: None,
+        },
         axes: Tensor::identity(),
         density: 1.0,
         mirrors: Vec::new(),

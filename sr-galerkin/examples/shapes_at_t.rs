@@ -61,7 +61,7 @@ impl Body {
         let mut body = Self {
             basis,
             support: Support::sphere(radius),
-            material: Material { moduli: Moduli::isotropic(YOUNG, 0.2).unwrap(), formulation },
+            material: Material { moduli: Moduli::isotropic(YOUNG, 0.2).unwrap(), formulation, plastic: None },
             updated,
             nodes: rest.iter().map(|&x| carried(x)).collect(),
             points: all.map(|point| (carried(point.place), point.volume, state)).collect(),

@@ -110,6 +110,7 @@ impl Galerkin {
             sharing: match parts.volumes {
                 Volumes::Points => None,
                 Volumes::Shared => Sharing::of(&parts.material.moduli),
+                Volumes::Mean => Some(Sharing::WHOLE),
             },
             cell_forces: vec![0.0; stride * space.cells.len()],
             internal: vec![0.0; 3 * count],
@@ -249,6 +250,9 @@ fn check(parts: &Parts) -> Result<(), GalerkinError> {
     }
     if !(parts.density > 0.0 && parts.density.is_finite()) {
         return Err(GalerkinError::Density(parts.density));
+    }
+    if parts.material.plastic.is_some() && parts.material.formulation == Formulation::StVenant {
+        return Err(GalerkinError::FlowWithoutSteps);
     }
     let skew = (parts.axes.transpose() * parts.axes - Tensor::identity()).norm();
     if skew > SKEW || skew.is_nan() {

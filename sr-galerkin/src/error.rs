@@ -27,6 +27,11 @@ pub enum GalerkinError {
     /// A density that is none.
     #[error("the density is {0}; it must be positive")]
     Density(f64),
+    /// Flow of a law without memory.
+    #[error(
+        "a material that yields goes by increments, and St Venant's law has none; use increments of strain and rotation"
+    )]
+    FlowWithoutSteps,
     /// Material axes that are no triad.
     #[error("the material axes are {0:.1e} from orthonormal; give three perpendicular unit vectors")]
     Axes(f64),

@@ -43,6 +43,14 @@
 //! `volumes.rs`): `P` is then that of a gradient F̄ whose determinant is nearer to the mean of the cell, and a cell has two products of vectors
 //! beside the moduli of its points.
 //!
+//! # Flow
+//!
+//! A material with a [`Plastic`](solid_kinematics::Plastic) yields at its Gauss points; curves of hardening are those of shells ([`Hardened`]). Flow
+//! keeps the volume, so that 27 points a cell would lock at any Poisson's ratio: such a body wants [`Volumes::Mean`]. Plastic strain and back stress
+//! are part of the state that a step starts from: trials leave them alone, a state that is accepted takes them along, and what is
+//! saved holds them. [`energy`](implicit_statics::Equilibrium::energy) is then the work of the way, stored or dissipated. A step
+//! begins with the derivative of flow that goes on where a point stands on the surface.
+//!
 //! # Planes of symmetry
 //!
 //! Behind a [`Mirror`] nodes have images, with parameters `R d` and `R = I − 2 n nᵀ`: shape functions are those of the whole, and so are the
@@ -115,6 +123,8 @@
 //! | affine parameters: one stress everywhere, any nodes | `affine_parameters_give_the_same_stress_everywhere` (tests/patch.rs) |
 //! | an affine boundary goes through but for the boundary between nodes; tractions, to the quadrature | `an_affine_displacement_of_the_boundary_goes_through`, `an_affine_displacement_is_left_by_the_boundary_between_nodes_and_by_the_quadrature` |
 //! | one change of volume a cell: the same, derivatives of energy and forces, six zero modes; a cantilever and Cook's panel to ν = .4999 | `a_cantilever_bends_as_far_whatever_poissons_ratio`, `cooks_panel_is_sheared_as_far_as_by_finer_cells` and others (tests/volumes.rs) |
+//! | a thick cylinder: Lamé's displacement and pressure for any Poisson's ratio; Hill's pressure by its elastic-plastic radius, its limit | `lames_cylinder_whatever_poissons_ratio`, `hills_cylinder_yields_from_within` (tests/cylinder.rs) |
+//! | a body that yields: derivatives of forces, elastic bits below yield, the same bits for any number of threads, work stored or dissipated; from what was saved to the same bits | tests/plastic.rs; `a_body_that_yields_goes_on_to_the_same_bits` (tests/resumed.rs) |
 //! | a half, a quarter, an eighth move as the whole | `a_part_behind_planes_moves_as_the_whole`, `between_two_planes_the_body_repeats` (tests/mirrors.rs) |
 //! | what is taken up from a saved state goes on to the same bits | `a_march_goes_on_from_what_was_saved_to_the_same_bits` (tests/resumed.rs) |
 //! | forces without sum and moment; six zero modes | `internal_forces_have_neither_sum_nor_moment`, `a_free_body_has_six_zero_modes` |
@@ -137,6 +147,7 @@ mod body;
 mod discretisation;
 mod error;
 mod essential;
+mod hardened;
 mod images;
 mod joined;
 mod loads;
@@ -152,6 +163,7 @@ mod volumes;
 
 pub use body::Galerkin;
 pub use error::GalerkinError;
+pub use hardened::Hardened;
 pub use images::Mirror;
 pub use parts::{Condition, Essential, Load, Parts, Volumes};
 pub use reactions::Supports;

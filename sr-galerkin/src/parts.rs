@@ -66,11 +66,19 @@ impl Condition {
 
 /// Where the change of volume is taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "scene",
+    derive(serde::Deserialize, schemars::JsonSchema),
+    serde(rename_all = "kebab-case"),
+    schemars(rename = "GalerkinVolumes")
+)]
 pub enum Volumes {
     /// Of a material that Poisson's ratios make more than three times as stiff against it (ν above ⅓) the points of a cell share its
     /// mean, the more so the stiffer: else the solid locks as it becomes incompressible.
     #[default]
     Shared,
+    /// The points of a cell have its mean, whatever the material: of one that flows, which keeps its volume as it does so.
+    Mean,
     /// At every point by itself.
     Points,
 }

@@ -1,7 +1,7 @@
 //! What a body tells of its state: displacements, and at points stress, strain, rotation.
 
 use nalgebra::DMatrix;
-use solid_kinematics::{PAIRS, PointTangent, Tangent, Tensor, Trial, angle, strains};
+use solid_kinematics::{PAIRS, PointState, PointTangent, Tangent, Tensor, Trial, angle, strains};
 use sph_core::{ShapeError, Vec3};
 
 use crate::assembly::over_parameters;
@@ -85,6 +85,17 @@ impl Galerkin {
             PointResult { place: *place, stress, strain: local, angle: angle(&rotation) }
         };
         self.trials.iter().zip(&self.space.places).map(of).collect()
+    }
+
+    /// Equivalent plastic strain \[–\] and energy dissipated \[F L\] of all points of the quadrature, as they were committed last; empty where
+    /// the material does not yield.
+    pub fn flowed(&self) -> Vec<[f64; 2]> {
+        let Some(plastic) = &self.material.plastic else { return Vec::new() };
+        let volumes = self.space.cells.iter().flat_map(|cell| &cell.volumes);
+        let of = |(state, volume): (&PointState, &f64)| {
+            [state.flow.strain, volume * plastic.dissipated(&state.flow)]
+        };
+        self.history.iter().zip(volumes).map(of).collect()
     }
 
     /// Greatest principal Green strain of any point, by magnitude; the law of increments is meant for less than .2.

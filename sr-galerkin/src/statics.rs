@@ -1,14 +1,15 @@
 //! The body as a system whose equilibria are sought.
 
 use implicit_statics::{Equilibrium, OutOfBounds};
-use solid_kinematics::{PointState, Tangent, Tensor};
+use solid_kinematics::{Flow, PointState, Tangent, Tensor};
 
 use crate::body::Galerkin;
 
 /// Tangents of a trial after which its failure is laid to the tangent.
 const TRIED: usize = 2;
-/// Numbers of a point's state.
+/// Numbers of a point's state, and of what flow has left there.
 const POINT: usize = 24;
+const FLOW: usize = 7;
 const AXES: [char; 3] = ['x', 'y', 'z'];
 
 impl Equilibrium for Galerkin {
@@ -115,12 +116,16 @@ impl Equilibrium for Galerkin {
     fn save(&self) -> Vec<f64> {
         let mut out = self.parameters.clone();
         if self.remembers() {
-            out.reserve(self.accepted.len() + POINT * self.history.len());
+            out.reserve(self.accepted.len() + self.numbers() * self.history.len());
             out.extend_from_slice(&self.accepted);
             for state in &self.history {
                 out.extend_from_slice(state.gradient.as_slice());
                 out.extend_from_slice(state.axes.as_slice());
                 out.extend_from_slice(&state.stress);
+                if self.flows() {
+                    out.push(state.flow.strain);
+                    out.extend_from_slice(&state.flow.back);
+                }
             }
         }
         out
@@ -132,11 +137,15 @@ impl Equilibrium for Galerkin {
         self.parameters.copy_from_slice(&saved[..count]);
         if saved.len() > count {
             self.accepted.copy_from_slice(&saved[count..2 * count]);
-            for (state, from) in self.history.iter_mut().zip(saved[2 * count..].chunks_exact(POINT)) {
+            let (numbers, flows) = (self.numbers(), self.flows());
+            for (state, from) in self.history.iter_mut().zip(saved[2 * count..].chunks_exact(numbers)) {
+                let flow =
+                    |from: &[f64]| Flow { strain: from[0], back: std::array::from_fn(|i| from[1 + i]) };
                 *state = PointState {
                     gradient: Tensor::from_column_slice(&from[..9]),
                     axes: Tensor::from_column_slice(&from[9..18]),
                     stress: std::array::from_fn(|i| from[18 + i]),
+                    flow: if flows { flow(&from[POINT..]) } else { Flow::default() },
                 };
             }
         }
@@ -174,5 +183,17 @@ impl Equilibrium for Galerkin {
 
     fn within_bounds(&self) -> Result<(), OutOfBounds> {
         self.turns_within_bounds()
+    }
+}
+
+impl Galerkin {
+    /// Whether its material yields.
+    pub(crate) fn flows(&self) -> bool {
+        self.material.plastic.is_some()
+    }
+
+    /// Numbers of a point that are kept.
+    fn numbers(&self) -> usize {
+        POINT + if self.flows() { FLOW } else { 0 }
     }
 }

@@ -10,7 +10,8 @@
 //! ```
 //!
 //! At α = 1 all points have J̄. What varies within a cell then has no bulk modulus at all, which is right for ν → ½ and wrong before:
-//! two cells across a beam of ν = 0 bend 10 % too easily. At α the bulk modulus K meets a variation as `(1 − α)² K`, and `α = 1 − 3K₀/K`
+//! two cells across a beam of ν = 0 bend 10 % too easily. ([`Volumes::Mean`](crate::Volumes::Mean) takes it all the same, for plastic flow keeps the
+//! volume whatever ν.) At α the bulk modulus K meets a variation as `(1 − α)² K`, and `α = 1 − 3K₀/K`
 //! with the K₀ that there is without Poisson's ratios: `6ν − 2` of an isotropic solid, from ν = ⅓ on; below it nothing is changed.
 //!
 //! The work `Σ V P̄ : δF̄` is that of the stress `r P̄ + β (p̄ J/J̄ − π) F⁻ᵀ` on δF. Its derivative is, with s = r P̄, T the derivative of
@@ -52,6 +53,9 @@ impl Shared {
 }
 
 impl Sharing {
+    /// All points have the mean of their cell.
+    pub const WHOLE: Self = Self { beta: 1.0 / 3.0 };
+
     /// None where a material is far from incompressible.
     pub fn of(moduli: &Moduli) -> Option<Self> {
         let coupling = moduli.coupling();

@@ -3,12 +3,14 @@
 mod bodies;
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use bodies::{MIDPOINT, STEP_START, block, nodes};
 use implicit_statics::{Control, CriticalOptions, Equilibrium, Newton, NewtonOptions, PathOptions, Start};
-use solid_kinematics::{Formulation, Tangent};
+use shell_kinematics::Hardening;
+use solid_kinematics::{Formulation, Plastic, Tangent};
 use sph_core::Vec3;
-use sr_galerkin::{Condition, Galerkin, Load, Parts};
+use sr_galerkin::{Condition, Galerkin, Hardened, Load, Parts, Volumes};
 
 /// A beam of length 10 and side 1, clamped at x = 0, bent by a load and by an end that is moved.
 fn beam(formulation: Formulation, tangent: Tangent, follows: bool) -> Parts {
@@ -81,4 +83,22 @@ fn steps_that_were_halved_go_on_to_the_same_bits() {
     let parts = || beam(MIDPOINT, Tangent::Continuum, false);
     let [whole, parted] = [false, true].map(|resumed| march(&parts, 4, resumed));
     assert!(whole == parted);
+}
+
+/// Plastic strain and back stress are part of what is saved.
+#[test]
+fn a_body_that_yields_goes_on_to_the_same_bits() {
+    let parts = || {
+        let mut parts = beam(MIDPOINT, Tangent::Continuum, false);
+        let curve = Arc::new(Hardened(Hardening::voce(5e-3, 2e-3, 50.0).expect("a curve")));
+        parts.material.plastic = Some(Plastic::new(&parts.material.moduli, curve, 0.01).expect("plastic"));
+        parts.volumes = Volumes::Mean;
+        parts
+    };
+    let [whole, parted] = [false, true].map(|resumed| march(&parts, 30, resumed));
+    assert!(whole == parted);
+    let mut body = Galerkin::new(parts()).expect("a body");
+    let last: Vec<f64> = whole[3].iter().map(|&bits| f64::from_bits(bits)).collect();
+    body.restore(&last);
+    assert!(body.flowed().iter().any(|[alpha, _]| *alpha > 1e-3), "it flows");
 }

@@ -11,7 +11,7 @@ use sr_galerkin::{Condition, Galerkin, Load, Parts, Volumes};
 
 const SIZE: [f64; 3] = [2.0, 1.5, 1.0];
 
-/// A small block of each basis with one change of volume a cell, regular or with nodes displaced.
+/// A small block of each basis with one change of volume a cell, all of it or as far as ν asks, regular or with nodes displaced.
 fn blocks() -> Vec<(String, Parts)> {
     let mut out = Vec::new();
     for disorder in [0.0, 0.25] {
@@ -27,7 +27,9 @@ fn blocks() -> Vec<(String, Parts)> {
                 Basis::Quadratic => Support::ellipsoid(spacing.map(|s| 2.6 * s)),
                 Basis::Plate17 { .. } => Support::tensor(spacing.map(|s| 3.5 * s)),
             };
+            let mean = Parts { volumes: Volumes::Mean, ..copy(&parts) };
             out.push((format!("{basis:?}, disorder {disorder}"), parts));
+            out.push((format!("{basis:?}, disorder {disorder}, whole mean"), mean));
         }
     }
     out
@@ -66,7 +68,7 @@ fn affine_deformations_are_left_as_they_are() {
     for (name, mut parts) in blocks() {
         let (mut of_cells, nodes) = (Vec::new(), parts.nodes.clone());
         let mut forces = Vec::new();
-        for volumes in [Volumes::Shared, Volumes::Points] {
+        for volumes in [parts.volumes, Volumes::Points] {
             let own = Parts { volumes, nodes: nodes.clone(), ..parts };
             let mut body = body(copy(&own));
             parts = own;
@@ -142,10 +144,11 @@ fn a_free_body_has_six_zero_modes() {
 }
 
 /// A small block, clamped at one end, stressed and with a load that follows; its history is that of a step before.
-fn loaded(formulation: Formulation) -> Galerkin {
+fn loaded(formulation: Formulation, volumes: Volumes) -> Galerkin {
     let mut parts = block([2.0, 1.0, 1.0], [4, 3, 3], 0.1);
-    parts.material = Material { moduli: Moduli::isotropic(1.0, 0.48).expect("moduli"), formulation };
-    parts.volumes = Volumes::Shared;
+    parts.material =
+        Material { moduli: Moduli::isotropic(1.0, 0.48).expect("moduli"), formulation, plastic: None };
+    parts.volumes = volumes;
     parts.support = Support::ellipsoid([1.8, 1.35, 1.35]);
     parts.tangent = Tangent::Consistent;
     parts.conditions.extend(Condition::fixed(&nodes(&parts, |x| x.x == 0.0)));
@@ -155,14 +158,18 @@ fn loaded(formulation: Formulation) -> Galerkin {
 
 #[test]
 fn forces_are_the_derivative_of_st_venants_energy() {
-    forces_derive_from_the_energy(&mut loaded(Formulation::StVenant));
+    for volumes in [Volumes::Shared, Volumes::Mean] {
+        forces_derive_from_the_energy(&mut loaded(Formulation::StVenant, volumes));
+    }
 }
 
 #[test]
 fn tangents_are_derivatives_of_the_forces() {
     for formulation in [MIDPOINT, Formulation::StVenant] {
-        let name = format!("{formulation:?}");
-        the_tangent_derives_from_forces(&name, &mut loaded(formulation), 1);
+        for volumes in [Volumes::Shared, Volumes::Mean] {
+            let name = format!("{formulation:?} {volumes:?}");
+            the_tangent_derives_from_forces(&name, &mut loaded(formulation, volumes), 1);
+        }
     }
 }
 
@@ -178,8 +185,11 @@ fn cook(cells: usize, nu: f64, volumes: Volumes) -> f64 {
     let sides = nodes(&parts, |x| x.y == 0.0 || x.y == thick);
     let corner = nodes(&parts, |x| x.x == 48.0 && x.z == 44.0)[1];
     parts.nodes.iter_mut().chain(&mut parts.cells.corners).for_each(|x| *x = map(x));
-    parts.material =
-        Material { moduli: Moduli::isotropic(1.0, nu).expect("moduli"), formulation: Formulation::StVenant };
+    parts.material = Material {
+        moduli: Moduli::isotropic(1.0, nu).expect("moduli"),
+        formulation: Formulation::StVenant,
+        plastic: None,
+    };
     parts.volumes = volumes;
     let s = 48.0 / cells as f64;
     parts.support = Support::ellipsoid([3.5 * s, 2.5 * s, 3.5 * s]);

@@ -90,7 +90,7 @@ if TYPE_CHECKING:
     Formulation_3 = TypedDict("Formulation_3", {"strong-form": "StrongForm"})
     Formulation: TypeAlias = Union["Formulation_1", "Formulation_2", "Formulation_3"]
     Fracture = TypedDict("Fracture", {"by": NotRequired["BondMeasure"], "energy": NotRequired[float], "stretch": NotRequired["Stretches"]})
-    Galerkin = TypedDict("Galerkin", {"across": NotRequired["Across"], "basis": NotRequired["GalerkinBasis"], "essential": NotRequired["GalerkinEssential"], "gauss": NotRequired[int], "kernel": NotRequired[str], "law": NotRequired["GalerkinLaw"], "support": NotRequired["GalerkinSupport"], "tangent": NotRequired["GalerkinTangent"], "update": NotRequired["GalerkinUpdate"]})
+    Galerkin = TypedDict("Galerkin", {"across": NotRequired["Across"], "basis": NotRequired["GalerkinBasis"], "essential": NotRequired["GalerkinEssential"], "gauss": NotRequired[int], "kernel": NotRequired[str], "law": NotRequired["GalerkinLaw"], "support": NotRequired["GalerkinSupport"], "tangent": NotRequired["GalerkinTangent"], "update": NotRequired["GalerkinUpdate"], "volumes": NotRequired["GalerkinVolumes"]})
     GalerkinBasis: TypeAlias = Union[Literal['linear'], Literal['quadratic'], Literal['plate17']]
     GalerkinEssential: TypeAlias = Union[Literal['collocation'], Literal['direct']]
     GalerkinLaw: TypeAlias = Union[Literal['strain-rotation'], Literal['literal'], Literal['st-venant']]
@@ -100,6 +100,7 @@ if TYPE_CHECKING:
     GalerkinSupport: TypeAlias = Union["GalerkinSupport_1", "GalerkinSupport_2", "GalerkinSupport_3"]
     GalerkinTangent: TypeAlias = Union[Literal['continuum'], Literal['consistent']]
     GalerkinUpdate: TypeAlias = Union[Literal['midpoint'], Literal['step-start']]
+    GalerkinVolumes: TypeAlias = Union[Literal['shared'], Literal['mean'], Literal['points']]
     Geometry_1 = TypedDict("Geometry_1", {"plate": "Plate"})
     Geometry_2 = TypedDict("Geometry_2", {"cylinder": "Cylinder"})
     Geometry_3 = TypedDict("Geometry_3", {"sphere": "Sphere"})
@@ -202,7 +203,8 @@ if TYPE_CHECKING:
     SolidGeometry = TypedDict("SolidGeometry", {"arc": NotRequired["Arc"], "block": NotRequired["Block"], "cut_outs": NotRequired[Sequence["CutOut"]]})
     SolidMaterial_1 = TypedDict("SolidMaterial_1", {"elastic": "Elastic"})
     SolidMaterial_2 = TypedDict("SolidMaterial_2", {"orthotropic": "OrthotropicSolid"})
-    SolidMaterial: TypeAlias = Union["SolidMaterial_1", "SolidMaterial_2"]
+    SolidMaterial_3 = TypedDict("SolidMaterial_3", {"plastic": "Plastic"})
+    SolidMaterial: TypeAlias = Union["SolidMaterial_1", "SolidMaterial_2", "SolidMaterial_3"]
     SolidScene = TypedDict("SolidScene", {"contact": NotRequired["Contact"], "cracks": NotRequired[Sequence["Crack"]], "formulation": "SolidFormulation", "fracture": NotRequired["Fracture"], "geometry": "SolidGeometry", "imperfection": NotRequired["Imperfection"], "material": "SolidMaterial", "tools": NotRequired[Sequence["ToolScene"]], "unbreakable": NotRequired[Sequence[str]], "velocity": NotRequired["Velocity"]})
     Sphere = TypedDict("Sphere", {"azimuth": Sequence[float], "disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[float]], "particles": NotRequired[Sequence[int]], "polar": Sequence[float], "radius": float, "scattered": NotRequired["Scattered"]})
     Spin = TypedDict("Spin", {"axis": Sequence[float], "point": NotRequired[Sequence[float]], "rate": float})

@@ -26,13 +26,16 @@ const ROWS: &[Row] = &[
         &["plasticity", "elastoplastic", "yield", "hardening", "von_mises"],
         &["material", "elastic", "orthotropic"],
         Instead(
-            "a shell that yields has [material.plastic], with `hardening = { linear = { yield-stress = 248.0 } }`; solids do not yield",
+            "a shell that yields has [material.plastic], with `hardening = { linear = { yield-stress = 248.0 } }`, and so has a Galerkin solid; bonds do not yield",
         ),
     ),
     (
         &["johnson_cook", "cowper_symonds", "creep"],
         &["material", "elastic", "orthotropic"],
-        NotYet { feature: "flow that depends on time", nearest: "[material.plastic] of a shell" },
+        NotYet {
+            feature: "flow that depends on time",
+            nearest: "[material.plastic] of a shell or a Galerkin solid",
+        },
     ),
     (
         &["hyperelastic", "neo_hooke", "mooney", "ogden", "svk", "saint_venant"],

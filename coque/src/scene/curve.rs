@@ -132,12 +132,12 @@ pub enum Measured {
     TouchingArea,
     /// Energy that friction has taken of a shell \[F L\]: on tools, and one half of what it took where the shell rubs on another or on itself.
     FrictionLoss,
-    /// Equivalent plastic strain of a shell that yields, the greatest through the thickness and of the cells round a particle \[–\]. The largest
+    /// Equivalent plastic strain of a body that yields, the greatest through the thickness of a shell and of the cells round a particle \[–\]. The largest
     /// of a set.
     PlasticStrain,
     /// Thickness of a shell that yields, the least of the cells round a particle \[L\]. The least of a set.
     Thickness,
-    /// Energy that plastic flow has dissipated in a shell \[F L\].
+    /// Energy that plastic flow has dissipated in a shell or a Galerkin solid \[F L\].
     PlasticWork,
     /// Component of the moment that the supports of a shell exert about a point \[F L\].
     ReactionMoment,

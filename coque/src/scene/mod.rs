@@ -82,7 +82,7 @@ pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulati
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};
 pub use solid::galerkin::{
     Across, Galerkin, GalerkinBasis, GalerkinEssential, GalerkinLaw, GalerkinSupport, GalerkinTangent,
-    GalerkinUpdate,
+    GalerkinUpdate, GalerkinVolumes,
 };
 pub use solid::geometry::{
     Arc, Ball, Block, Cuboid, CutOut, NodeDisorder, NodePlaces, Polygon, RoundHole, SolidGeometry,

@@ -139,6 +139,11 @@ impl Hardening {
         self.at(alpha).stress
     }
 
+    /// K'(α) \[F/L²\].
+    pub fn slope<P: Number>(&self, alpha: P) -> P {
+        self.at(alpha).slope
+    }
+
     /// K and K' at α.
     #[inline(always)]
     pub(super) fn at<P: Number>(&self, alpha: P) -> Yield<P> {
@@ -171,7 +176,7 @@ impl Hardening {
 
     /// `∫₀^α (K(a) − K(0)) da` \[F/L²\]: by convention what hardening stores.
     #[inline(always)]
-    pub(super) fn stored<P: Number>(&self, alpha: P) -> P {
+    pub fn stored<P: Number>(&self, alpha: P) -> P {
         match &self.0 {
             Curve::Linear { slope, .. } => alpha * alpha * (0.5 * slope),
             Curve::Voce { rise, rate, .. } => {

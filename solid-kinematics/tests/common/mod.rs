@@ -37,7 +37,7 @@ pub fn formulations() -> [Formulation; 4] {
 /// A material of Kirchhoff's stress.
 pub fn material(moduli: Moduli, update: Update) -> Material {
     let formulation = Formulation::StrainRotation { update, measure: StressMeasure::Kirchhoff };
-    Material { moduli, formulation }
+    Material { moduli, formulation, plastic: None }
 }
 
 /// Leads a point along a path `t → F` in equal steps over t from `span.0` to `span.1`.

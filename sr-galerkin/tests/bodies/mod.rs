@@ -2,6 +2,7 @@
 
 #![allow(dead_code)] // no test uses all of it
 
+pub mod cylinder;
 pub mod derivatives;
 
 use implicit_statics::{Newton, NewtonOptions};
@@ -41,7 +42,11 @@ pub fn block(lengths: [f64; 3], counts: [usize; 3], disorder: f64) -> Parts {
         basis: Basis::Quadratic,
         support: Support::ellipsoid(spacing.map(|s| 2.5 * s)),
         weight: Weight::Csrbf2,
-        material: Material { moduli: Moduli::isotropic(1.0, 0.3).expect("moduli"), formulation: MIDPOINT },
+        material: Material {
+            moduli: Moduli::isotropic(1.0, 0.3).expect("moduli"),
+            formulation: MIDPOINT,
+            plastic: None,
+        },
         axes: Tensor::identity(),
         density: 1.0,
         mirrors: Vec::new(),

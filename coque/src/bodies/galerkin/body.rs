@@ -7,9 +7,9 @@ use sph_core::Vec3;
 
 use super::fields::fields;
 use super::solid::GalerkinSolid;
-use super::warnings::large_strain;
+use super::warnings::{beyond_data, large_strain};
 use crate::bodies::body::{Body, Configuration, Mismatch, StateArray, StaticBody};
-use crate::bodies::{FieldRequest, FieldSource, Outline};
+use crate::bodies::{FieldRequest, FieldSource, Outline, Yielding};
 use crate::scene::Measured;
 use crate::warning::Warning;
 
@@ -32,6 +32,11 @@ impl Body for GalerkinSolid {
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self, shown)
+    }
+
+    /// By node: the greatest plastic strain of the points of the cells round it, and its share of what they dissipated.
+    fn yielding(&self, _body: usize) -> Vec<Yielding> {
+        self.flowed_at_nodes()
     }
 
     /// Its outer faces, on which nodes lie.
@@ -91,7 +96,8 @@ impl StaticBody for GalerkinSolid {
     }
 
     fn warnings(&self) -> Vec<Warning> {
-        large_strain(self.galerkin.greatest_strain()).into_iter().collect()
+        let beyond = beyond_data(self.data_until, &self.galerkin.flowed());
+        large_strain(self.galerkin.greatest_strain()).into_iter().chain(beyond).collect()
     }
 }
 

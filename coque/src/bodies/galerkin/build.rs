@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use sph_core::Support;
-use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports, Volumes};
+use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports};
 
 use super::conditions::{conditions, driven, holds, loads, mirrors};
 use super::describe::describe;
-use super::parts::{axes, basis, material, support, weight};
+use super::parts::{axes, basis, data_until, material, support, volumes, weight};
 use super::places::Places;
 use super::solid::GalerkinSolid;
 use super::warnings::warnings_of;
@@ -73,7 +73,7 @@ pub(in crate::bodies) fn galerkin_made(
 ) -> Result<BuiltBody<GalerkinSolid>, SceneError> {
     let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened, sets } =
         galerkin(scene, solid, options, threads)?;
-    let body = GalerkinSolid::new(galerkin, &places, supports);
+    let body = GalerkinSolid::new(galerkin, &places, supports, data_until(solid));
     refuse_dof(scene, body.dof())?;
     let description = describe(scene, solid, options, (&body, widened), places.block.greatest_spacing());
     let warnings = warnings_of(scene, options, places.lattice.lengths, &places.block);
@@ -112,8 +112,8 @@ fn galerkin(
         scene.curve.iter().any(|probe| probe.of == Measured::Reaction) || scene.output.fields.is_some();
     let mirrors = mirrors(scene, &places, &sets)?;
     let essential = options.essential;
-    let material = material(solid, options)
-        .map_err(|error| body_error(scene, material_path(solid), &error.to_string()))?;
+    let material =
+        material(solid, options).map_err(|error| body_error(scene, material_path(solid), &error))?;
     let parts = |support: Support| Parts {
         nodes: places.block.positions.clone(),
         cells: cells.clone(),
@@ -129,7 +129,7 @@ fn galerkin(
         essential,
         loads: loads.clone(),
         tangent: options.tangent,
-        volumes: Volumes::Shared,
+        volumes: volumes(solid, options),
         threads: threads.max(1),
     };
     let support = support(solid, options, &places);
@@ -188,7 +188,9 @@ fn galerkin_refusal(scene: &BodyInScene<'_>, solid: &SolidScene, error: &Galerki
         GalerkinError::Cells(_) | GalerkinError::Coincident(..) | GalerkinError::NotFinite { .. } => {
             of_body("geometry")
         }
-        GalerkinError::Density(_) | GalerkinError::Axes(_) => of_body(material_path(solid)),
+        GalerkinError::Density(_) | GalerkinError::Axes(_) | GalerkinError::FlowWithoutSteps => {
+            of_body(material_path(solid))
+        }
         GalerkinError::Contradiction { .. } | GalerkinError::Direction(_) => "supports".into(),
         GalerkinError::EmptySet(_) | GalerkinError::NoSuchNode { .. } => "sets".into(),
     };
@@ -200,5 +202,6 @@ fn material_path(solid: &SolidScene) -> &'static str {
     match solid.material {
         SolidMaterial::Elastic(_) => "material.elastic",
         SolidMaterial::Orthotropic(_) => "material.orthotropic",
+        SolidMaterial::Plastic(_) => "material.plastic",
     }
 }

@@ -54,9 +54,16 @@ fn lists(
         match &solid.material {
             SolidMaterial::Elastic(_) => "isotropic elasticity".into(),
             SolidMaterial::Orthotropic(_) => "orthotropic elasticity, its axes turning with the point".into(),
+            SolidMaterial::Plastic(given) => format!(
+                "isotropic elasticity that yields by von Mises' criterion, {} hardening, volumes by the mean of a cell",
+                given.hardening.word()
+            ),
         },
     ];
-    let mut left_out: Vec<String> = vec!["plasticity".into(), "fracture".into(), "contact".into()];
+    let mut left_out: Vec<String> = vec!["fracture".into(), "contact".into()];
+    if !solid.material.yields() {
+        left_out.insert(0, "plasticity".into());
+    }
     if options.law != GalerkinLaw::StVenant {
         left_out.push("an elastic energy: the law of increments is meant for strains below 0.2".into());
     }

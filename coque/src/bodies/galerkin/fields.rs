@@ -74,7 +74,23 @@ impl Content<'_> {
             let all = rows(count, |a| <[f64; 3]>::from(reactions[a]));
             self.put(to, "reaction", Quantity::Force, &[], Values::Double(&all))?;
         }
-        self.recovered.as_ref().map_or(Ok(()), |values| self.stresses(to, values))
+        if let Some(values) = &self.recovered {
+            self.stresses(to, values)?;
+        }
+        self.flowed(to, || self.solid.flowed_at_nodes().iter().map(|own| own.plastic_strain).collect())
+    }
+
+    /// Plastic strain, where the material yields and the state is one that it went through.
+    fn flowed(&self, to: &mut dyn FieldWriter, values: impl Fn() -> Vec<f64>) -> io::Result<()> {
+        if !matches!(self.shown.state, State::Moving | State::Balance) {
+            return Ok(());
+        }
+        let values = values();
+        if values.is_empty() {
+            return Ok(());
+        }
+        let all = rows(values.len(), |i| [values[i] as f32]);
+        self.put(to, "plastic_strain", Quantity::Ratio, &[], Values::Single(&all))
     }
 
     /// The points where the integrals are taken, each a cell of its own.
@@ -88,6 +104,7 @@ impl Content<'_> {
         let cell = |number: usize| (Kind::Vertex, [number as u32; 8]);
         to.geometry(&places, Connectivity { count: results.len(), cell: &cell })?;
         self.displacements(to, &moved)?;
+        self.flowed(to, || galerkin.flowed().iter().map(|[strain, _]| *strain).collect())?;
         if self.recovered.is_none() || self.shown.state == State::Linear {
             return Ok(());
         }

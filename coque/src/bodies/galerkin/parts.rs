@@ -1,18 +1,37 @@
 //! Material, shape functions and options of a Galerkin solid, from the scene's words to those of `sr-galerkin`.
 
-use solid_kinematics::{ElasticError, Formulation, Material, Moduli, StressMeasure, Tensor};
+use std::sync::Arc;
+
+use solid_kinematics::{Formulation, Material, Moduli, Plastic as Yielding, StressMeasure, Tensor};
 use sph_core::{Basis, Support, Vec3, Weight, kernels};
+use sr_galerkin::{Hardened, Volumes};
 
 use super::places::Places;
+use crate::bodies::shell::material::hardening;
 use crate::scene::{
-    Arc, Galerkin, GalerkinBasis, GalerkinLaw, GalerkinSupport, PerAxis, SolidMaterial, SolidScene,
+    Arc as ArcOfCells, Galerkin, GalerkinBasis, GalerkinLaw, GalerkinSupport, Hardening, PerAxis, Plastic,
+    SolidMaterial, SolidScene,
 };
 
 /// Moduli and the way in which stress follows deformation.
-pub(super) fn material(solid: &SolidScene, galerkin: &Galerkin) -> Result<Material, ElasticError> {
+///
+/// # Errors
+/// What is no material, in words.
+pub(super) fn material(solid: &SolidScene, galerkin: &Galerkin) -> Result<Material, String> {
+    let isotropic = |young: f64, poisson: f64| Moduli::isotropic(young, poisson);
     let moduli = match &solid.material {
-        SolidMaterial::Elastic(elastic) => Moduli::isotropic(elastic.young.get(), elastic.poisson)?,
-        SolidMaterial::Orthotropic(given) => Moduli::orthotropic(&given.constants())?,
+        SolidMaterial::Elastic(elastic) => isotropic(elastic.young.get(), elastic.poisson),
+        SolidMaterial::Plastic(plastic) => isotropic(plastic.young.get(), plastic.poisson),
+        SolidMaterial::Orthotropic(given) => Moduli::orthotropic(&given.constants()),
+    }
+    .map_err(|error| error.to_string())?;
+    let plastic = match &solid.material {
+        SolidMaterial::Plastic(given) => {
+            let curve = hardening(&given.hardening).map_err(|error| error.to_string())?;
+            let plastic = Yielding::new(&moduli, Arc::new(Hardened(curve)), given.kinematic.get());
+            Some(plastic.map_err(|error| error.to_string())?)
+        }
+        _ => None,
     };
     let update = galerkin.update.unwrap_or_default();
     let formulation = match galerkin.law {
@@ -22,7 +41,21 @@ pub(super) fn material(solid: &SolidScene, galerkin: &Galerkin) -> Result<Materi
         GalerkinLaw::Literal => Formulation::StrainRotation { update, measure: StressMeasure::Literal },
         GalerkinLaw::StVenant => Formulation::StVenant,
     };
-    Ok(Material { moduli, formulation })
+    Ok(Material { moduli, formulation, plastic })
+}
+
+/// Plastic strain beyond which a table of hardening says nothing \[–\].
+pub(super) fn data_until(solid: &SolidScene) -> Option<f64> {
+    let SolidMaterial::Plastic(Plastic { hardening: Hardening::Table(rows), .. }) = &solid.material else {
+        return None;
+    };
+    rows.last().map(|[strain, _]| *strain)
+}
+
+/// Where the change of volume is taken.
+pub(super) fn volumes(solid: &SolidScene, galerkin: &Galerkin) -> Volumes {
+    let usual = if solid.material.yields() { Volumes::Mean } else { Volumes::Shared };
+    galerkin.volumes.unwrap_or(usual)
 }
 
 /// Material axes at rest, as columns.
@@ -65,7 +98,7 @@ pub(super) fn support(solid: &SolidScene, galerkin: &Galerkin, places: &Places) 
 }
 
 /// Angles of the columns of an arc \[rad\].
-fn angles_of(arc: &Arc) -> Vec<f64> {
+fn angles_of(arc: &ArcOfCells) -> Vec<f64> {
     let [first, last] = arc.angles.map(f64::to_radians);
     let columns = arc.cells[0];
     (0..=columns).map(|i| first + (last - first) * i as f64 / columns as f64).collect()

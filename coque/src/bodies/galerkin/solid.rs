@@ -6,6 +6,7 @@ use sr_galerkin::{Galerkin, Supports};
 
 use super::places::Places;
 use super::recovery::{RECOVERED, recovered};
+use crate::bodies::Yielding;
 
 /// A Galerkin solid with what the application shows of it.
 pub(crate) struct GalerkinSolid {
@@ -18,16 +19,23 @@ pub(crate) struct GalerkinSolid {
     pub(super) supports: Option<Supports>,
     /// Forces that supports exert, by node \[F\].
     pub(super) reactions: Vec<Vec3>,
+    /// Plastic strain beyond which the table of hardening says nothing \[–\]; none of other curves.
+    pub(super) data_until: Option<f64>,
     /// Space for forces on unknowns.
     pub(super) scratch: Vec<f64>,
 }
 
 impl GalerkinSolid {
-    pub(super) fn new(galerkin: Galerkin, places: &Places, supports: Option<Supports>) -> Self {
+    pub(super) fn new(
+        galerkin: Galerkin,
+        places: &Places,
+        supports: Option<Supports>,
+        data_until: Option<f64>,
+    ) -> Self {
         let reactions = vec![Vec3::zeros(); galerkin.nodes()];
         let (hexahedra, outer) = (places.cells.cells.clone(), places.outer());
         let scratch = vec![0.0; galerkin.unknowns()];
-        Self { galerkin, hexahedra, outer, supports, reactions, scratch }
+        Self { galerkin, hexahedra, outer, supports, reactions, data_until, scratch }
     }
 
     /// The solid itself.
@@ -48,6 +56,28 @@ impl GalerkinSolid {
     /// Stress, strain and angle at the nodes.
     pub fn at_nodes(&self) -> Vec<[f64; RECOVERED]> {
         recovered(&self.hexahedra, self.galerkin.rest(), &self.galerkin.point_results())
+    }
+
+    /// By node: the greatest plastic strain of the points of the cells round it, and its share of what they dissipated; empty where nothing
+    /// yields.
+    pub fn flowed_at_nodes(&self) -> Vec<Yielding> {
+        let flowed = self.galerkin.flowed();
+        if flowed.is_empty() {
+            return Vec::new();
+        }
+        let none = Yielding { plastic_strain: 0.0, thickness: f64::INFINITY, dissipated: 0.0 };
+        let mut out = vec![none; self.galerkin.nodes()];
+        let points = flowed.len() / self.hexahedra.len();
+        for (corners, own) in self.hexahedra.iter().zip(flowed.chunks(points)) {
+            let most = own.iter().fold(0.0_f64, |most, [strain, _]| most.max(*strain));
+            let lost: f64 = own.iter().map(|[_, lost]| lost).sum();
+            for &node in corners {
+                let of = &mut out[node as usize];
+                of.plastic_strain = of.plastic_strain.max(most);
+                of.dissipated += lost / corners.len() as f64;
+            }
+        }
+        out
     }
 
     /// Forces that supports exert on nodes \[F\], if they are known.

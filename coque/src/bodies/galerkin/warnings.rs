@@ -128,3 +128,15 @@ pub(super) fn large_strain(found: f64) -> Option<Warning> {
         Warning::new(WarningKind::LargeStrain, message)
     })
 }
+
+/// Plastic strains that a table of hardening does not reach.
+pub(super) fn beyond_data(until: Option<f64>, flowed: &[[f64; 2]]) -> Option<Warning> {
+    let greatest = flowed.iter().fold(0.0_f64, |most, [strain, _]| most.max(*strain));
+    until.filter(|until| greatest > *until).map(|until| {
+        let message = format!(
+            "plastic strains reach {greatest:.3}, and the table of hardening ends at {until:.3}: its last slope was kept; add rows to \
+             material.plastic.hardening.table"
+        );
+        Warning::new(WarningKind::BeyondData, message)
+    })
+}

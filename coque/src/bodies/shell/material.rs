@@ -87,19 +87,26 @@ impl SectionSpec {
 /// [`MaterialError`] for numbers out of bounds.
 pub(crate) fn plastic(given: &scene::Plastic) -> Result<Plastic, MaterialError> {
     let elastic = Isotropic::new(given.young.get(), given.poisson)?;
-    let hardening = match &given.hardening {
-        scene::Hardening::Linear(own) => Hardening::linear(own.yield_stress.get(), own.slope.get())?,
-        scene::Hardening::Voce(own) => {
-            Hardening::voce(own.yield_stress.get(), own.rise.get(), own.rate.get())?
-        }
-        scene::Hardening::Swift(own) => {
-            Hardening::swift(own.factor.get(), own.offset.get(), own.exponent.get())?
-        }
-        scene::Hardening::Table(rows) => Hardening::table(rows)?,
-    };
-    let material = Plastic::new(elastic, hardening).kinematic(given.kinematic.get())?;
+    let material = Plastic::new(elastic, hardening(&given.hardening)?).kinematic(given.kinematic.get())?;
     let Some(rolled) = &given.anisotropy else { return Ok(material) };
     Ok(material.anisotropic(RValues::new(rolled.r0.get(), rolled.r45.get(), rolled.r90.get())?))
+}
+
+/// How the yield stress grows.
+///
+/// # Errors
+/// [`MaterialError`] for numbers out of bounds.
+pub(crate) fn hardening(given: &scene::Hardening) -> Result<Hardening, MaterialError> {
+    match given {
+        scene::Hardening::Linear(own) => Hardening::linear(own.yield_stress.get(), own.slope.get()),
+        scene::Hardening::Voce(own) => {
+            Hardening::voce(own.yield_stress.get(), own.rise.get(), own.rate.get())
+        }
+        scene::Hardening::Swift(own) => {
+            Hardening::swift(own.factor.get(), own.offset.get(), own.exponent.get())
+        }
+        scene::Hardening::Table(rows) => Hardening::table(rows),
+    }
 }
 
 /// Rubber.

@@ -14,7 +14,7 @@ mod fields;
 pub(crate) mod imported;
 mod indicator;
 mod linear_forces;
-mod material;
+pub(super) mod material;
 mod own_contact;
 mod parts;
 mod places;

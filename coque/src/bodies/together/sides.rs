@@ -135,6 +135,7 @@ pub(super) fn of_rigid(scene: &BodyInScene<'_>, body: &RigidBody, spacing: f64) 
 fn young(body: &SolidScene) -> f64 {
     match &body.material {
         SolidMaterial::Elastic(elastic) => elastic.young.get(),
+        SolidMaterial::Plastic(plastic) => plastic.young.get(),
         SolidMaterial::Orthotropic(own) => {
             own.young.iter().map(|young| young.get()).fold(f64::INFINITY, f64::min)
         }

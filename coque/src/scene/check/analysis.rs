@@ -5,7 +5,6 @@ use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::levels::Levels;
 use crate::scene::problem::BodyScene;
-use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::Formulation;
 use crate::scene::statics::{ArcLength, Branches, Linear, LinearSolver, Relaxation, Static, Stop};
 use crate::scene::tools::ToolScene;
@@ -124,10 +123,11 @@ fn check_explicit(scene: &BodyInScene<'_>, explicit: &Explicit) -> Verdict {
     Ok(())
 }
 
-/// Whether levels may fall as well: where what a shell went through is left when it is let go.
+/// Whether levels may fall as well: where what a body went through is left when it is let go.
 fn may_fall(scene: &BodyInScene<'_>) -> bool {
-    let yields = |shell: &ShellScene| shell.material.yields();
-    matches!(scene.analysis, Analysis::Static(_)) && scene.as_shell().is_some_and(yields)
+    let yields = scene.as_shell().is_some_and(|shell| shell.material.yields())
+        || scene.as_solid().is_some_and(|solid| solid.material.yields());
+    matches!(scene.analysis, Analysis::Static(_)) && yields
 }
 
 fn check_levels(scene: &BodyInScene<'_>, at: &str, levels: &Levels) -> Verdict {
@@ -148,7 +148,7 @@ fn check_levels(scene: &BodyInScene<'_>, at: &str, levels: &Levels) -> Verdict {
                     let (bound, repair) = match may_fall(scene) {
                         true => (
                             format!("zero or positive, and other than the level {last} before it"),
-                            "a shell that yields may be let go, to level 0",
+                            "what yields may be let go, to level 0",
                         ),
                         false => (
                             format!("greater than the level {last} before it"),

@@ -177,7 +177,9 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     if solid.is_some_and(|solid| solid.galerkin().is_some()) {
         let touching = [ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea];
         let touching = touching.into_iter().filter(|_| scene.may_touch());
-        return [Displacement, Position, Reaction].into_iter().chain(touching).collect();
+        let yielding = [PlasticStrain, PlasticWork];
+        let yielding = yielding.into_iter().filter(|_| solid.is_some_and(|own| own.material.yields()));
+        return [Displacement, Position, Reaction].into_iter().chain(yielding).chain(touching).collect();
     }
     let mut known = vec![Displacement, Position, Reaction, Velocity];
     if solid.is_none_or(SolidScene::has_directors) {

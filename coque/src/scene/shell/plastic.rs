@@ -20,7 +20,7 @@ pub struct Plastic {
     /// Modulus of linear kinematic hardening, by which the back stress grows a plastic strain in uniaxial tension \[F/L²\]; none without.
     #[serde(default)]
     pub kinematic: NotNegative,
-    /// Hill's criterion of a rolled sheet in place of von Mises'.
+    /// Hill's criterion of a rolled sheet in place of von Mises', of a shell.
     pub anisotropy: Option<Anisotropy>,
 }
 

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 pub use solid_kinematics::{Tangent as GalerkinTangent, Update as GalerkinUpdate};
-pub use sr_galerkin::Essential as GalerkinEssential;
+pub use sr_galerkin::{Essential as GalerkinEssential, Volumes as GalerkinVolumes};
 
 use crate::scene::bounded::GaussPoints;
 use crate::scene::per_axis::PerAxis;
@@ -37,6 +37,8 @@ pub struct Galerkin {
     /// How supports are imposed.
     #[serde(default)]
     pub essential: GalerkinEssential,
+    /// Where the change of volume is taken; left out, `shared`, of a material that yields `mean`.
+    pub volumes: Option<GalerkinVolumes>,
 }
 
 /// Polynomials that shape functions reproduce.
@@ -179,8 +181,13 @@ impl Galerkin {
             GalerkinEssential::Collocation => "collocation",
             GalerkinEssential::Direct => "direct supports",
         };
+        let volumes = match self.volumes {
+            None | Some(GalerkinVolumes::Shared) => "",
+            Some(GalerkinVolumes::Mean) => ", volumes by the mean of a cell",
+            Some(GalerkinVolumes::Points) => ", volumes by points",
+        };
         let (kernel, gauss) = (&self.kernel, self.gauss);
-        format!("galerkin, {basis}, {support}, {kernel}, {law}, {essential}, {gauss} Gauss points")
+        format!("galerkin, {basis}, {support}, {kernel}, {law}, {essential}, {gauss} Gauss points{volumes}")
     }
 }
 

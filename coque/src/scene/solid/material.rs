@@ -6,6 +6,7 @@ use solid_kinematics::Orthotropic;
 
 use crate::scene::bounded::Positive;
 use crate::scene::shell::material::Elastic;
+use crate::scene::shell::plastic::Plastic;
 
 /// Materials of solids.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -15,6 +16,8 @@ pub enum SolidMaterial {
     Elastic(Elastic),
     /// Linear elasticity with three planes of symmetry, of a Galerkin solid.
     Orthotropic(OrthotropicSolid),
+    /// Isotropic elasticity that yields by von Mises' criterion, of a Galerkin solid.
+    Plastic(Plastic),
 }
 
 /// An orthotropic material in space.
@@ -46,8 +49,22 @@ impl SolidMaterial {
     pub fn elastic(&self) -> Option<&Elastic> {
         match self {
             Self::Elastic(elastic) => Some(elastic),
-            Self::Orthotropic(_) => None,
+            Self::Orthotropic(_) | Self::Plastic(_) => None,
         }
+    }
+
+    /// Its word.
+    pub(crate) fn word(&self) -> &'static str {
+        match self {
+            Self::Elastic(_) => "elastic",
+            Self::Orthotropic(_) => "orthotropic",
+            Self::Plastic(_) => "plastic",
+        }
+    }
+
+    /// Whether points remember what they went through.
+    pub fn yields(&self) -> bool {
+        matches!(self, Self::Plastic(_))
     }
 
     /// Density \[F T²/L⁴\].
@@ -55,6 +72,7 @@ impl SolidMaterial {
         match self {
             Self::Elastic(elastic) => elastic.density.get(),
             Self::Orthotropic(orthotropic) => orthotropic.density.get(),
+            Self::Plastic(plastic) => plastic.density.get(),
         }
     }
 }

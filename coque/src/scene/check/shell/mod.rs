@@ -14,6 +14,7 @@ use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::geometry::{Geometry, Placing};
 
+pub(super) use self::own_law::check_plastic;
 pub(super) use self::parts::check_parts;
 pub(super) use self::placed::check_wetting;
 

@@ -14,10 +14,7 @@ use crate::scene::shell::rubber::{Rubber, RubberLaw};
 impl ShellScene {
     /// The numbers of a material that yields, and of the section beside it.
     pub(super) fn check_plastic_material(&self, plastic: &Plastic, s: &Scope<'_>) -> Verdict {
-        check_poisson("material.plastic.poisson", plastic.poisson, s)?;
-        if let Hardening::Table(rows) = &plastic.hardening {
-            check_table(rows, s)?;
-        }
+        check_plastic(plastic, s)?;
         if let Some(anisotropy) = &plastic.anisotropy {
             s.direction("material.plastic.anisotropy.axis", anisotropy.axis)?;
         }
@@ -65,6 +62,15 @@ impl ShellScene {
             return refuse(key, "a thickness that varies", &format!("one thickness of {of}"), "remove it");
         }
         Ok(())
+    }
+}
+
+/// The numbers of a material that yields, of a shell or a solid.
+pub(in crate::scene::check) fn check_plastic(plastic: &Plastic, s: &Scope<'_>) -> Verdict {
+    check_poisson("material.plastic.poisson", plastic.poisson, s)?;
+    match &plastic.hardening {
+        Hardening::Table(rows) => check_table(rows, s),
+        _ => Ok(()),
     }
 }
 

@@ -2,10 +2,13 @@
 
 use solid_kinematics::{ElasticError, Moduli};
 use sph_core::{Vec3, kernels};
+use sr_galerkin::Volumes;
 
+use crate::scene::check::shell::check_plastic;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::per_axis::PerAxis;
 use crate::scene::scope::Scope;
+use crate::scene::shell::plastic::Plastic;
 use crate::scene::solid::SolidScene;
 use crate::scene::solid::galerkin::{Galerkin, GalerkinBasis, GalerkinLaw, GalerkinSupport};
 use crate::scene::solid::geometry::NodePlaces;
@@ -51,6 +54,7 @@ impl SolidScene {
                 s.between(&at("poisson"), elastic.poisson, [-1.0, 0.5], repair)
             }
             SolidMaterial::Orthotropic(orthotropic) => check_orthotropic(orthotropic, s),
+            SolidMaterial::Plastic(plastic) => check_yielding(plastic, galerkin, s),
         }
     }
 
@@ -127,4 +131,28 @@ fn check_orthotropic(given: &OrthotropicSolid, s: &Scope<'_>) -> Verdict {
         "perpendicular to the first",
         "take out its part along the first axis",
     ))
+}
+
+/// A material that yields goes by increments of strain and rotation, and by one change of volume a cell.
+fn check_yielding(plastic: &Plastic, galerkin: &Galerkin, s: &Scope<'_>) -> Verdict {
+    check_plastic(plastic, s)?;
+    let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(s.fault(path, value, bound, repair)))
+    };
+    if plastic.anisotropy.is_some() {
+        let repair = "remove it: a solid yields by von Mises' criterion; a rolled sheet is a shell";
+        return refuse("material.plastic.anisotropy", "Hill's criterion", "none of a solid", repair);
+    }
+    if galerkin.law != GalerkinLaw::StrainRotation {
+        let bound = "\"strain-rotation\" beside [material.plastic], which goes by increments";
+        return refuse("formulation.galerkin.law", "another law", bound, "remove it");
+    }
+    match galerkin.volumes {
+        None | Some(Volumes::Mean) => Ok(()),
+        Some(_) => {
+            let bound =
+                "\"mean\" beside [material.plastic]: flow keeps the volume, and points by themselves lock";
+            refuse("formulation.galerkin.volumes", "another change of volume", bound, "remove it")
+        }
+    }
 }

@@ -52,8 +52,14 @@ impl SolidScene {
     pub(super) fn check_material(&self, s: &Scope<'_>) -> Verdict {
         let Some(elastic) = self.material.elastic() else {
             let repair = "use [material.elastic], or [bodies.NAME.solid.formulation.galerkin]";
-            let (value, bound) = ("an orthotropic material", "`elastic` where bonds carry the solid");
-            return Err(SceneError::Choice(s.fault("material.orthotropic", value, bound, repair)));
+            let (value, bound) = match self.material.yields() {
+                true => {
+                    ("a material that yields", "`elastic` where bonds carry the solid: they do not yield")
+                }
+                false => ("an orthotropic material", "`elastic` where bonds carry the solid"),
+            };
+            let path = format!("material.{}", self.material.word());
+            return Err(SceneError::Choice(s.fault(&path, value, bound, repair)));
         };
         let at = |key: &str| format!("material.elastic.{key}");
         let (nu, space) = (elastic.poisson, self.space());

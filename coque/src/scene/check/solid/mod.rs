@@ -40,6 +40,13 @@ pub(super) fn check_solid(scene: &BodyInScene<'_>, solid: &SolidScene) -> Verdic
         let fault = s.fault("formulation.galerkin", "a Galerkin solid", &bound, repair);
         return Err(SceneError::Choice(fault));
     }
+    if solid.material.yields() && matches!(scene.analysis, Analysis::Linear(_) | Analysis::Buckling(_)) {
+        let bound =
+            format!("none in {}, which takes the material as it is at rest", scene.analysis.kind().name);
+        let repair = "use [analysis.static] or [analysis.arc-length], or [material.elastic]";
+        let fault = s.fault("material.plastic", "[material.plastic]", &bound, repair);
+        return Err(SceneError::Choice(fault));
+    }
     for (i, set) in solid.unbreakable.iter().enumerate() {
         check_set_name(scene, &s.path(&format!("unbreakable[{i}]")), set)?;
     }

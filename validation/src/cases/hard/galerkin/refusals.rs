@@ -76,6 +76,7 @@ fn material(update: Update) -> Result<Material, String> {
     Ok(Material {
         moduli,
         formulation: Formulation::StrainRotation { update, measure: StressMeasure::Kirchhoff },
+        plastic: None,
     })
 }
 
