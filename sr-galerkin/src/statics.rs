@@ -76,9 +76,10 @@ impl Equilibrium for Galerkin {
         true
     }
 
-    /// The consistent one is the derivative over the step.
+    /// The consistent one is the derivative over the step, and any of a material that flows.
     fn tangent_is_of_the_step(&self) -> bool {
-        let over_the_step = self.tangent == Tangent::Consistent && self.accepted != self.parameters;
+        let of_the_step = self.tangent == Tangent::Consistent || self.flows();
+        let over_the_step = of_the_step && self.accepted != self.parameters;
         self.remembers() && (self.insists || over_the_step)
     }
 

@@ -48,7 +48,7 @@ const EXAMPLES: [Example; 78] = [
     Example::new("column-between-tools", 0.1, include_str!("../../../scenes/column-between-tools.toml")),
     Example::new("column-buckling", 0.1, include_str!("../../../scenes/column-buckling.toml")),
     Example::new("crack-branching", 3.0, include_str!("../../../scenes/crack-branching.toml")),
-    Example::new("cylinder-bursting", 3.0, include_str!("../../../scenes/cylinder-bursting.toml")),
+    Example::new("cylinder-bursting", 6.0, include_str!("../../../scenes/cylinder-bursting.toml")),
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
     Example::new("cylinder-yielding", 4.0, include_str!("../../../scenes/cylinder-yielding.toml")),
     Example::new("dam-break", 3.0, include_str!("../../../scenes/dam-break.toml")),
