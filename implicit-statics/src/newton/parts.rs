@@ -78,8 +78,22 @@ impl Newton {
         self.left = system.save();
     }
 
-    /// Takes the present state over if it balances a level, else corrects it.
+    /// Takes the present state over if it balances a level by the scale of what is expected, else corrects it; then the scale is that of what it bears.
     pub(crate) fn settle<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+    ) -> Result<Converged, EquilibriumError> {
+        let expected = self.force_scale;
+        let converged = self.settled(system, level)?;
+        if system.has_moving_tools() {
+            let borne = norm(&self.external).max(norm(&self.internal));
+            self.force_scale = Self::of_expected(system, expected).max(borne);
+        }
+        Ok(converged)
+    }
+
+    fn settled<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
         level: f64,
