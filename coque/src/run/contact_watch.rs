@@ -133,7 +133,7 @@ fn coarse_contact(own: &ContactSummary, by_levels: bool) -> Option<String> {
              or use {:.2} of this spacing",
             own.between,
             most.rows,
-            if rows > 1 { "6 %" } else { "15 %" },
+            if rows > 1 { "9 %" } else { "19 %" },
             f64::from(rows) / f64::from(wanted),
         )
     })

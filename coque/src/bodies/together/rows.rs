@@ -109,9 +109,9 @@ impl Method {
     /// So many rows with the errors of greatest pressures that were measured at them, rounded up.
     fn said(self, rows: u32) -> Spanned {
         let off = match (self, rows) {
-            (Self::Bonds(horizon), _) => (11.0 * (horizon / f64::from(rows)).powi(2)).min(30.0),
+            (Self::Bonds(horizon), _) => (11.0 * (horizon / f64::from(rows)).powi(2)).min(35.0),
             (_, 1) => 32.0,
-            (_, 2) => 18.0,
+            (_, 2) => 22.0,
             (_, 3) => 8.0,
             _ => 4.0,
         };
@@ -147,8 +147,8 @@ mod tests {
         assert_eq!(found(|x| top(x) && x.x > 2.5 && x.x < 6.5), Some(2));
         assert_eq!(found(|x| top(x) && x.x < 3.5), Some(4));
         // A disc of a radius of 2.1 about the middle, and about a corner.
-        assert_eq!(found(|x| top(x) && (x.x - 4.0).hypot(x.y - 4.0) < 2.1), Some(3));
-        assert_eq!(found(|x| top(x) && x.x.hypot(x.y) < 2.1), Some(3));
+        assert_eq!(found(|x| top(x) && libm::hypot(x.x - 4.0, x.y - 4.0) < 2.1), Some(3));
+        assert_eq!(found(|x| top(x) && libm::hypot(x.x, x.y) < 2.1), Some(3));
         // A face that touches all over has no rim: neighbours below it lie across.
         assert_eq!(found(top), Some(5));
     }

@@ -253,25 +253,27 @@ mod tests {
         (1..level.len()).map(state).collect()
     }
 
-    /// The table of docs/contact.md; from the rows that a contact wants on pressures are right to 3 %.
+    /// The table of docs/contact.md with `ROWS=all`, its coarsest blocks without; from the rows that a contact wants on pressures are right to 3 %.
     #[test]
-    #[ignore = "prints a table; two minutes"]
     fn rows_of_a_contact_and_what_they_are_off() {
         let galerkin = |cells| Setup { method: INCREMENTS, grid: "", cells, reach: None, round: Round::Drum };
-        let bonds = |cells, reach| Setup { reach: Some(reach), ..galerkin(cells) };
-        let setups = [
-            ("support 1.2", "1.2", 5, vec![galerkin(14), galerkin(20)]),
+        let bonds = |reach| move |cells| Setup { reach: Some(reach), ..galerkin(cells) };
+        let setups: [(&str, &str, u32, Vec<Setup>); 5] = [
+            ("support 1.2", "1.2", 5, [8, 14, 20].map(galerkin).into()),
             ("support 1.5", "1.5", 4, [8, 10, 14, 20].map(galerkin).into()),
-            ("support 2.0", "2.0", 3, vec![galerkin(14)]),
-            ("horizon 2", "", 3, [16, 20, 25, 32].map(|cells| bonds(cells, 2)).into()),
-            ("horizon 3", "", 5, [16, 20, 25, 32].map(|cells| bonds(cells, 3)).into()),
+            ("support 2.0", "2.0", 3, [8, 14].map(galerkin).into()),
+            ("horizon 2", "", 3, [16, 20, 25, 32].map(bonds(2)).into()),
+            ("horizon 3", "", 5, [16, 20, 25, 32].map(bonds(3)).into()),
         ];
+        let all = std::env::var_os("ROWS").is_some();
         for (name, support, wanted, setups) in setups {
+            let some = if all { setups.len() } else { 1 };
             let mut greatest: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
-            for (rows, errors) in setups.iter().flat_map(|setup| errors(setup, support)) {
+            for (rows, errors) in setups.iter().take(some).flat_map(|setup| errors(setup, support)) {
                 let known = greatest.entry(rows).or_default();
                 (0..3).for_each(|k| known[k] = known[k].max(errors[k].abs()));
             }
+            assert!(greatest.len() > 1, "{name}: {greatest:?}");
             for (rows, [pressure, force, half]) in greatest {
                 println!(
                     "{name}: {rows} rows: pressure {pressure:.1}, force {force:.1}, half width {half:.1} %"
