@@ -237,8 +237,7 @@ mod tests {
         let outcome =
             Scene::with_overrides(scene, "drum", &pairs).unwrap().build(1).unwrap().run(&mut Silent);
         let column = |name: &str| outcome.curve.column(name).unwrap();
-        let [level, force, moment, pressure, area] =
-            ["level", "P", "M", "p", "touching"].map(|name| column(name));
+        let [level, force, moment, pressure, area] = ["level", "P", "M", "p", "touching"].map(column);
         let block = setup.block();
         // Of a row on the plane of symmetry half is there.
         let half_row = if setup.reach.is_none() { 0.5 } else { 0.0 };
