@@ -170,7 +170,7 @@ pub use bodies::shell::warnings::warnings;
 pub use bodies::{
     Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
     LoadResultants, Memory, Mismatch, Model, NoPush, Outline, Part, PrescribedPoint, Probe, Ready, Resultant,
-    Shape, State, StateArray, StaticBody, TangentCost, Task,
+    Shape, Spanned, State, StateArray, StaticBody, TangentCost, Task,
 };
 pub use commands::command_line;
 pub use explicit_dynamics::Exert;

@@ -188,6 +188,64 @@ fn a_ball_that_bounces_keeps_momentum_and_energy() {
     }
 }
 
+/// A ball dropped straight on a plate that is held across, so that contact alone gives way: what it stores it gives back, at four hundredths of a per cent
+/// to half a per cent of the speed of sound.
+#[test]
+fn a_ball_leaves_a_plate_that_is_held_as_fast_as_it_came() {
+    let anvil = "
+    [bodies.ball.rigid]
+    geometry.ball = { centre = [0.0, 0.0, 0.0112], radius = 0.01, spacing = 0.005 }
+    mass = 0.02
+    velocity = { linear = [0.0, 0.0, -2.0] }
+    [bodies.anvil.shell]
+    geometry.plate = { lengths = [0.04, 0.04], particles = [9, 9] }
+    placed = { origin = [-0.02, -0.02, 0.0], u = [1, 0, 0], v = [0, 1, 0] }
+    material.elastic = { young = 2.0e11, poisson = 0.3, density = 7850.0 }
+    section.homogeneous = { thickness = 0.002 }
+    [[supports]]
+    on = \"anvil.all\"
+    held = { displacement = [[0.0, 0.0, 1.0]] }
+    [[contact]]
+    between = [\"ball\", \"anvil\"]
+    [analysis.explicit.transient]
+    duration = 3e-4
+    record_every = 1e-5
+    [[curve]]
+    name = \"v\"
+    of = \"velocity\"
+    on = \"ball.all\"
+    direction = [0.0, 0.0, 1.0]
+    [[curve]]
+    name = \"F\"
+    of = \"contact-force\"
+    on = \"ball.all\"
+    direction = [0.0, 0.0, 1.0]
+    [[curve]]
+    name = \"G\"
+    of = \"contact-force\"
+    on = \"anvil.all\"
+    direction = [0.0, 0.0, 1.0]
+    ";
+    for (speed, mass, duration) in [(2.0, "0.02", "3e-4"), (25.0, "2e-4", "5e-5")] {
+        let velocity = format!("{{ linear = [0.0, 0.0, -{speed:?}] }}");
+        let thrown = [
+            ("bodies.ball.rigid.velocity", velocity.as_str()),
+            ("bodies.ball.rigid.mass", mass),
+            ("analysis.explicit.transient.duration", duration),
+            ("analysis.explicit.transient.record_every", "5e-7"),
+        ];
+        let found = of(anvil, &thrown);
+        let [velocity, force, other] = ["v", "F", "G"].map(|name| column(&found, name));
+        let most = force.iter().copied().fold(0.0, f64::max);
+        assert!(most > 0.0 && force.last() == Some(&0.0), "{force:?}");
+        let restitution = velocity.last().unwrap() / speed;
+        println!("{speed} m/s: restitution {restitution:.7}, force {most:.1}");
+        assert!((restitution - 1.0).abs() < 0.005, "{restitution}");
+        // One force on both.
+        assert!(force.iter().zip(&other).all(|(force, other)| (force + other).abs() < 1e-12 * most));
+    }
+}
+
 /// A block that a support presses on a strip, at rest: the support bears what the strip feels.
 #[test]
 fn a_block_pressed_on_a_strip_bears_what_the_strip_does() {

@@ -107,6 +107,48 @@ fn what_is_thrown_on_a_flat_keeps_its_energy() {
     assert!(open < 2.3e-2 && kept.abs() < 6.4e-3, "{open} {kept}");
 }
 
+/// Rows of nodes that touch from the rim to the middle, and whether they are too few: on both sides of the bounds, of Galerkin solids and bonds, under a
+/// drum and a ball; a flat, which touches all over, has no rim.
+#[test]
+fn a_contact_of_few_rows_is_warned_of() {
+    let said = |text: &str, replaced: &[(&str, &str)]| {
+        let outcome = ran(overridden(text, "pressed.toml", replaced));
+        let warnings = &outcome.summary.record.warnings;
+        let own = warnings.iter().find(|own| own.kind == coque::WarningKind::CoarseContact);
+        let rows = outcome.summary.record.contacts[0].rows.unwrap();
+        (rows.fewest.rows, rows.most.rows, own.map(|own| own.message.clone()))
+    };
+    let [drum, bonds] = ["drum-on-block.toml", "drum-on-bonds.toml"].map(common::text);
+    let last = ("analysis.static.levels", "[1.0]");
+    // Half widths of 3.3 cells, of 1.6 and, along levels, from 1.6 on.
+    assert_eq!(said(&drum, &[last]), (4, 4, None));
+    let coarse = ("bodies.block.solid.geometry.block", "{ lengths = [1.0, 0.1, 1.0], spacing = 0.1 }");
+    let (fewest, most, message) = said(&drum, &[last, coarse]);
+    let message = message.unwrap();
+    println!("{message}");
+    assert_eq!((fewest, most), (2, 2));
+    for part in ["tool `drum`", "up to level 1 ", "spans 2 of the 4 rows", "0.50 of this spacing"] {
+        assert!(message.contains(part), "{message}");
+    }
+    let (fewest, most, message) = said(&drum, &[]);
+    assert_eq!((fewest, most), (2, 4));
+    assert!(message.unwrap().contains("up to level 0.75 "));
+    // Half widths of 5.1 spacings at a horizon of three, and of 3.4.
+    let levels = |list| [("analysis.explicit.quasi-static.levels", list)];
+    assert_eq!(said(&bonds, &levels("[1.0]")), (5, 5, None));
+    let (fewest, most, message) = said(&bonds, &levels("[0.5, 1.0]"));
+    let message = message.unwrap();
+    println!("{message}");
+    assert_eq!((fewest, most), (4, 5));
+    assert!(message.contains("up to level 0.5 ") && message.contains("spans 4 of the 5 rows"), "{message}");
+    let short = [("bodies.block.solid.formulation.bond-based.horizon", "2.015"), levels("[0.5, 1.0]")[0]];
+    assert_eq!(said(&bonds, &short).2, None);
+    // A flat touches all over; a ball on four cells to a side does not come far.
+    assert_eq!(said(PRESSED, &[]).2, None);
+    let (_, most, message) = said(PRESSED, &[("bodies.block.solid.tools", BALL)]);
+    assert!(most < 3 && message.unwrap().contains("tool `ball`"));
+}
+
 #[test]
 fn on_any_threads_and_stopped_the_bits_are_the_same() {
     let scene = overridden(THROWN, "thrown.toml", &[]).unwrap();

@@ -132,7 +132,8 @@ pub trait Equilibrium {
         1.0
     }
 
-    /// Whether tools that may touch it go with the level: a relaxation brings them along as it does held values.
+    /// Whether tools that may touch it go with the level: a relaxation brings them along as it does held values, and what they would press if
+    /// nothing gave way is no scale of Newton's residuals.
     fn has_moving_tools(&self) -> bool {
         false
     }

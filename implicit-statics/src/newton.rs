@@ -22,6 +22,9 @@ const AT_REST: f64 = 1e-8;
 /// What an iterate reached by the factor of another one leaves of the bound: corrections by its own would leave as little.
 const BY_ANOTHER: f64 = 0.1;
 
+/// Part of what a stiff tool would press if nothing gave way that counts beside the forces of balances: rounding of places times its stiffness is less.
+const GIVES_WAY: f64 = 1e-4;
+
 /// How an equilibrium was reached.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Converged {
@@ -192,6 +195,12 @@ impl Newton {
         self.first_way = (change * self.length(response)).abs();
     }
 
+    /// The scale of residuals by forces that were expected \[F\]. Of a tool that moves they are what it would press if nothing gave way, a hundred times
+    /// what it presses and more, beside which residuals would pass far from balance: a part of them is left, for rounding where little presses.
+    pub(crate) fn of_expected<E: Equilibrium + ?Sized>(system: &E, force: f64) -> f64 {
+        if system.has_moving_tools() { GIVES_WAY * force } else { force }
+    }
+
     /// Moves the state.
     pub(crate) fn advance<E: Equilibrium + ?Sized>(&mut self, system: &mut E, motion: &[f64]) {
         system.update(motion);
@@ -235,8 +244,9 @@ impl Newton {
         for iterations in 0.. {
             let size = self.residual(system, level)?;
             residuals.push(size);
-            let mut scale =
-                norm(&self.external).max(self.force_scale).max(norm(&self.rate) * increment.level.abs());
+            let expected =
+                Self::of_expected(system, norm(&self.rate) * increment.level.abs()).max(self.force_scale);
+            let mut scale = norm(&self.external).max(expected);
             if scale == 0.0 {
                 scale = residuals[0];
             }

@@ -6,8 +6,8 @@ use crate::{Equilibrium, EquilibriumError};
 /// How Newton iterates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NewtonOptions {
-    /// Bound of ‖external − internal‖ relative to the largest of ‖external‖, ‖∂external/∂λ Δλ‖ and the internal
-    /// forces of the states found so far; default 1e-9.
+    /// Bound of ‖external − internal‖ relative to the largest of ‖external‖, ‖∂external/∂λ Δλ‖ (where no tool
+    /// moves) and the internal forces of the states found so far; default 1e-9.
     ///
     /// Where rounding of the forces exceeds it (a thin shell is stiff against stretching, its load small), a
     /// residual that no longer falls while corrections are below 1e-8 of the way counts as converged.

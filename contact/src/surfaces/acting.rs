@@ -94,6 +94,13 @@ impl SurfaceContact {
         (self.passes[contact.pass].of, contact.vertex, contact.depth)
     }
 
+    /// Hands every vertex of a body that touches, by number and with the normal away from what it touches, to `visit`, some of them several times.
+    pub fn each_touching(&self, body: usize, mut visit: impl FnMut(u32, &Vec3)) {
+        for contact in self.contacts.iter().filter(|contact| self.passes[contact.pass].of == body) {
+            visit(contact.vertex, &contact.pair.normal);
+        }
+    }
+
     /// Hands the size of the force of one of them on each of its nodes to `push` \[F\], negative where it takes away what counts twice.
     pub(crate) fn each_push(&self, number: usize, mut push: impl FnMut(Node, f64)) {
         let contact = &self.contacts[number];

@@ -1,6 +1,7 @@
 //! A contact of a body, with what it does now and what particles feel of it.
 
 use contact::NodalContact;
+use serde::{Deserialize, Serialize};
 use sph_core::Vec3;
 
 /// What a body touches.
@@ -31,6 +32,31 @@ pub struct ContactNow {
     pub area: f64,
     /// The place that is deepest \[L\]; none where nothing is deep.
     pub place: Option<Vec3>,
+    /// Rows of nodes that it spans; none where nothing touches, and of what is no solid.
+    pub rows: Option<Spanned>,
+}
+
+/// Rows of nodes of a solid that a contact spans, from the rim of what touches to its middle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Spanned {
+    /// How many; no more than those wanted are counted.
+    pub rows: u32,
+    /// From how many on greatest pressures under drums and balls were right to 3 %.
+    pub wanted: u32,
+    /// By how much greatest pressures were off at so many, at most \[%\].
+    pub off: f64,
+}
+
+impl Spanned {
+    /// The narrower of two.
+    pub(crate) fn narrower(self, other: Self) -> Self {
+        if other.rows < self.rows { other } else { self }
+    }
+
+    /// Whether pressures are off by more than 3 %.
+    pub(crate) fn is_coarse(&self) -> bool {
+        self.rows < self.wanted
+    }
 }
 
 impl ContactNow {

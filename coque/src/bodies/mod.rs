@@ -51,7 +51,7 @@ pub use body::{
     StateArray, StaticBody, TangentCost,
 };
 use built_body::BuiltBody;
-pub use contact_now::{ContactFields, ContactNow, With};
+pub use contact_now::{ContactFields, ContactNow, Spanned, With};
 pub use field_source::{FieldRequest, FieldSource, Part, State};
 pub use figures::FluidFigures;
 pub use memory::Memory;

@@ -2,10 +2,10 @@
 
 use explicit_dynamics::Record;
 
-use super::record::{ContactSummary, RunRecord, ShortenedSummary};
+use super::record::{ContactSummary, RowsSummary, RunRecord, ShortenedSummary};
 use crate::WarningKind;
 use crate::bodies::contacts_of_scene::ContactsOfScene;
-use crate::bodies::{Body, ContactNow};
+use crate::bodies::{Body, ContactNow, Spanned};
 
 /// Steps in time between two looks for what nothing keeps apart, at least: a look costs less than twenty of them.
 const LOOK_EVERY: u64 = 1000;
@@ -51,10 +51,14 @@ impl ContactWatch {
                     level,
                     place: None,
                     greatest_area: 0.0,
+                    rows: None,
                 });
             }
             let own = &mut found.contacts[number];
             own.greatest_area = own.greatest_area.max(now.area);
+            if let Some(rows) = now.rows {
+                RowsSummary::take(&mut own.rows, rows, level);
+            }
             if now.depth > own.greatest_depth {
                 let place = now.place.map(<[f64; 3]>::from);
                 (own.greatest_depth, own.time, own.level, own.place) = (now.depth, time, level, place);
@@ -77,6 +81,10 @@ impl ContactWatch {
         let deep = found.contacts.iter().filter(|own| own.greatest_depth > ContactNow::DEEP);
         let messages: Vec<String> = deep.map(deep_contact).collect();
         messages.into_iter().for_each(|message| found.warn(WarningKind::DeepContact, message));
+        let by_levels = !found.levels.is_empty();
+        let messages: Vec<String> =
+            found.contacts.iter().filter_map(|own| coarse_contact(own, by_levels)).collect();
+        messages.into_iter().for_each(|message| found.warn(WarningKind::CoarseContact, message));
         if let Some(ShortenedSummary { steps, least, time }) = found.shortened.filter(|own| own.least < SHORT)
         {
             let message = format!(
@@ -107,6 +115,28 @@ fn deep_contact(own: &ContactSummary) -> String {
             None => "the softer of the two",
         },
     )
+}
+
+/// The warning of a contact of few rows: along levels, each of which is an answer, if it is coarse at any; in real time, in which each contact begins
+/// and ends with a row, if it is at its widest.
+fn coarse_contact(own: &ContactSummary, by_levels: bool) -> Option<String> {
+    let RowsSummary { fewest, most, coarse_level } = own.rows?;
+    let (said, until) = match coarse_level {
+        Some(level) if by_levels => (fewest, format!("up to level {level}")),
+        _ => (most, String::from("at its widest")),
+    };
+    let Spanned { rows, wanted, off } = said;
+    said.is_coarse().then(|| {
+        format!(
+            "{}: {until} the contact spans {rows} of the {wanted} rows of nodes that are wanted from its rim to its middle, and at its widest {}: under drums and \
+             balls the greatest pressure was up to {off:.0} % off at {rows}, the half width farther, the force {}; read no pressure there, \
+             or use {:.2} of this spacing",
+            own.between,
+            most.rows,
+            if rows > 1 { "9 %" } else { "19 %" },
+            f64::from(rows) / f64::from(wanted),
+        )
+    })
 }
 
 fn when(time: f64, level: f64) -> String {

@@ -3,7 +3,7 @@
 use implicit_statics::Inertia;
 use serde::{Deserialize, Serialize};
 
-use crate::bodies::FluidFigures;
+use crate::bodies::{FluidFigures, Spanned};
 use crate::{Warning, WarningKind};
 
 /// What a run has found so far, its rows and shapes apart.
@@ -177,6 +177,33 @@ pub struct ContactSummary {
     pub place: Option<[f64; 3]>,
     /// Greatest area at a record that touched \[L²\].
     pub greatest_area: f64,
+    /// Rows of nodes of a solid that it spans; none of what is no solid, and where nothing touched.
+    pub rows: Option<RowsSummary>,
+}
+
+/// Rows of nodes of a solid that a contact spans from its rim to its middle, over all records at which it touched.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RowsSummary {
+    /// Where they were fewest.
+    pub fewest: Spanned,
+    /// Where they were most.
+    pub most: Spanned,
+    /// The last level at which they were fewer than those wanted; none where they never were.
+    pub coarse_level: Option<f64>,
+}
+
+impl RowsSummary {
+    /// Takes in what a contact spans at a level; the first of all begins it.
+    pub(crate) fn take(known: &mut Option<Self>, now: Spanned, level: f64) {
+        let own = known.get_or_insert(Self { fewest: now, most: now, coarse_level: None });
+        own.fewest = own.fewest.narrower(now);
+        if now.rows > own.most.rows {
+            own.most = now;
+        }
+        if now.is_coarse() {
+            own.coarse_level = Some(level);
+        }
+    }
 }
 
 /// Steps in time that contact made shorter than the bodies alone would take.

@@ -78,9 +78,25 @@ impl Newton {
         self.left = system.save();
     }
 
-    /// Takes the present state over if it balances a level, else corrects it. Of a path that goes on, the commit of a history may have changed forces since
-    /// the state was balanced: that is the next step's to balance, for balanced alone it would be a step of its own.
+    /// Takes the present state over if it balances a level by the scale of what is expected, else corrects it; then the scale is that of what it bears. Of a path
+    /// that goes on, the commit of a history may have changed forces since the state was balanced: that is the next step's to balance, for balanced alone it
+    /// would be a step of its own.
     pub(crate) fn settle<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+        goes_on: bool,
+    ) -> Result<Converged, EquilibriumError> {
+        let expected = self.force_scale;
+        let converged = self.settled(system, level, goes_on)?;
+        if system.has_moving_tools() {
+            let borne = norm(&self.external).max(norm(&self.internal));
+            self.force_scale = Self::of_expected(system, expected).max(borne);
+        }
+        Ok(converged)
+    }
+
+    fn settled<E: Equilibrium + ?Sized>(
         &mut self,
         system: &mut E,
         level: f64,

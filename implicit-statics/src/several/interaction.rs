@@ -32,6 +32,11 @@ pub trait Interaction: Any + Send {
     /// Puts what is prescribed of it where a level has that.
     fn put(&mut self, _level: f64) {}
 
+    /// Whether it goes with the level and is stiff, as a tool that moves is ([`Equilibrium::has_moving_tools`]).
+    fn moves(&self) -> bool {
+        false
+    }
+
     /// Pairs of places that share a block of its tangent, each once, and places with themselves; the same ones until
     /// [`Interaction::pairs_changed`] says otherwise.
     fn pairs(&self) -> Vec<[usize; 2]>;

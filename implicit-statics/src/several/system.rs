@@ -216,6 +216,11 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
         self.any(Equilibrium::has_moving_supports)
     }
 
+    fn has_moving_tools(&self) -> bool {
+        self.acting.iter().any(|acting| acting.interaction().moves())
+            || self.any(Equilibrium::has_moving_tools)
+    }
+
     fn commit(&mut self) {
         self.systems.iter_mut().for_each(|system| system.commit());
         self.acting.iter_mut().for_each(Acting::commit);

@@ -21,6 +21,7 @@ pub(super) fn contacts(shell: &Shell) -> Vec<ContactNow> {
             depth: touch.greatest_depth,
             area: touch.area,
             place: deep.then(|| shell.deepest_in_tool(number)).flatten(),
+            rows: None,
         }
     };
     let mut all: Vec<ContactNow> = tools.map(tool).collect();
@@ -34,6 +35,7 @@ pub(super) fn contacts(shell: &Shell) -> Vec<ContactNow> {
             depth: touch.greatest_depth,
             area: touch.area,
             place: deep.then(|| Some(shell.deepest_in_itself()?.places[0])).flatten(),
+            rows: None,
         });
     }
     all

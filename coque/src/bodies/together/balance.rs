@@ -57,6 +57,10 @@ impl Equilibrium for Together<Balanced> {
         self.system.has_moving_supports()
     }
 
+    fn has_moving_tools(&self) -> bool {
+        self.system.has_moving_tools()
+    }
+
     fn commit(&mut self) {
         self.system.commit();
     }

@@ -6,6 +6,7 @@ use nalgebra::Matrix3;
 use sph_core::Vec3;
 
 use super::moving::MovingPlaces;
+use super::rows::Rows;
 use super::skin::{Between, Skin};
 
 /// How much farther than they touch parts are listed, over the lesser spacing.
@@ -30,6 +31,8 @@ pub(in crate::bodies) struct Side {
     pub rest: Vec<Vec3>,
     /// Between which particles each node of its surface lies; none where nodes are particles.
     pub inside: Option<Vec<Between>>,
+    /// How its contacts are counted in rows; none of what is no solid.
+    pub rows: Option<Rows>,
 }
 
 /// How two bodies touch, as their scene says it.
@@ -57,6 +60,8 @@ pub(in crate::bodies) struct TouchingBodies {
     rest: [Vec<Vec3>; 2],
     pub(super) contact: SurfaceContact,
     pub(super) touch: SurfaceTouch,
+    /// How the contact is counted in rows on each side: of solids of bonds.
+    pub(super) rows: [Option<Rows>; 2],
     pace: Option<Pace>,
     /// Whether the contact was looked at where it is evaluated next.
     looked: bool,
@@ -103,9 +108,24 @@ impl TouchingBodies {
         let contact = SurfaceContact::between([a.mesh, b.mesh], [&a.rest, &b.rest], touching)
             .with_friction(manner.friction);
         let names = [a.name, b.name];
+        // A Galerkin solid that another body touches is warned of whatever it spans.
+        let rows =
+            [(a.rows, a.inside), (b.rows, b.inside)].map(|(rows, inside)| rows.filter(|_| inside.is_none()));
         let (touch, pairs) = (SurfaceTouch::default(), Vec::new());
         let rest = [a.rest, b.rest];
-        Self { names, particles, skin, rest, contact, touch, pace: None, looked: false, pairs, listed: 0 }
+        Self {
+            names,
+            particles,
+            skin,
+            rest,
+            contact,
+            touch,
+            rows,
+            pace: None,
+            looked: false,
+            pairs,
+            listed: 0,
+        }
     }
 
     /// A line for the summary.

@@ -18,6 +18,7 @@ mod nodal;
 mod nodal_on_tool;
 mod on_tool;
 mod parts;
+mod rows;
 mod sides;
 mod skin;
 mod tooled;

@@ -6,7 +6,8 @@ use contact::{NodalContact, Node};
 use sph_core::Vec3;
 
 use super::contact::TouchingBodies;
-use crate::bodies::{ContactNow, With};
+use crate::bodies::shell::tools::TOUCHING;
+use crate::bodies::{ContactNow, Spanned, With};
 
 impl TouchingBodies {
     /// The bodies that touch, the first side first.
@@ -83,10 +84,15 @@ impl TouchingBodies {
     /// What it does now, all particles of a body being at `places` \[L\].
     pub fn now(&self, places: impl Fn(usize) -> Vec<Vec3>) -> ContactNow {
         let bodies = self.bodies();
-        let place = (self.touch.greatest_depth > ContactNow::DEEP).then(|| {
+        let deep = self.touch.greatest_depth > ContactNow::DEEP;
+        let counted = self.touch.greatest_depth > TOUCHING && self.rows.iter().any(Option::is_some);
+        let (mut place, mut rows) = (None, None);
+        if deep || counted {
             let at = bodies.map(places);
-            Some(self.contact.deepest(|node| self.node_at(&at, node))?.places[0])
-        });
+            let at = |node: Node| self.node_at(&at, node);
+            place = deep.then(|| self.contact.deepest(at)).flatten().map(|found| found.places[0]);
+            rows = [0, 1].into_iter().filter_map(|side| self.spanned(side, at)).reduce(Spanned::narrower);
+        }
         ContactNow {
             body: bodies[0],
             with: With::Body(bodies[1]),
@@ -94,7 +100,21 @@ impl TouchingBodies {
             by_thickness: None,
             depth: self.touch.greatest_depth,
             area: self.touch.area,
-            place: place.flatten(),
+            place,
+            rows,
         }
+    }
+
+    /// The rows of nodes of a side that touch, a node being at a place \[L\].
+    fn spanned(&self, side: usize, at: impl Fn(Node) -> Vec3) -> Option<Spanned> {
+        let rows = self.rows[side].as_ref()?;
+        let vertices = self.contact.meshes()[side].surface().vertices();
+        let mut touching = BTreeMap::new();
+        self.contact.each_touching(side, |number, normal| {
+            if let &[node] = vertices[number as usize].nodes() {
+                touching.insert(node, *normal);
+            }
+        });
+        rows.spanned(&touching, |node| at((side, node)))
     }
 }

@@ -6,7 +6,8 @@ use contact::NodalContact;
 use sph_core::Vec3;
 
 use super::on_tool::OnTool;
-use crate::bodies::{ContactNow, With};
+use crate::bodies::shell::tools::TOUCHING;
+use crate::bodies::{ContactNow, Spanned, With};
 
 impl OnTool {
     /// Adds what each particle of the body feels, all of them being at `places` \[L\]; what a node feels goes to the particles that carry it.
@@ -47,10 +48,14 @@ impl OnTool {
 
     /// What it does now, all particles of the body being at `places` \[L\].
     pub fn now(&self, places: impl FnOnce() -> Vec<Vec3>) -> ContactNow {
-        let place = (self.touch.greatest_depth > ContactNow::DEEP).then(|| {
+        let (mut place, mut rows) = (None, None);
+        if self.touch.greatest_depth > TOUCHING {
             let places = places();
-            Some(self.contact.deepest(&self.stood, |node| self.node_at(&places, node))?.1)
-        });
+            let at = |node: u32| self.node_at(&places, node);
+            let deep = self.touch.greatest_depth > ContactNow::DEEP;
+            place = deep.then(|| self.contact.deepest(&self.stood, at)).flatten().map(|(_, place)| place);
+            rows = self.spanned(at);
+        }
         ContactNow {
             body: self.body,
             with: With::Tool(self.number),
@@ -58,7 +63,20 @@ impl OnTool {
             by_thickness: None,
             depth: self.touch.greatest_depth,
             area: self.touch.area,
-            place: place.flatten(),
+            place,
+            rows,
         }
+    }
+
+    /// The rows of nodes that touch, a node being at a place \[L\].
+    fn spanned(&self, at: impl Fn(u32) -> Vec3) -> Option<Spanned> {
+        let rows = self.rows.as_ref()?;
+        let (mut touching, moved) = (BTreeMap::new(), self.stood.moved);
+        self.contact.each_touching(&moved, &at, |number, _| {
+            if let &[node] = self.contact.surface.vertices()[number as usize].nodes() {
+                touching.insert(node, self.contact.tool.face(&at(node), &moved).normal);
+            }
+        });
+        rows.spanned(&touching, at)
     }
 }

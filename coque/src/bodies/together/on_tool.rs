@@ -6,6 +6,7 @@ use nalgebra::Matrix3;
 use sph_core::Vec3;
 
 use super::contact::Side;
+use super::rows::Rows;
 use super::skin::Skin;
 
 /// How much farther than they touch vertices share blocks of the tangent, over the spacing.
@@ -26,6 +27,8 @@ pub(in crate::bodies) struct OnTool {
     pub contact: ToolContact,
     /// The tool as it stands at level zero.
     pub shape: ToolShape,
+    /// How the contact is counted in rows.
+    pub(super) rows: Option<Rows>,
     watch: Watch,
     /// How far the tool has moved at level one \[L\].
     motion: Vec3,
@@ -76,6 +79,7 @@ impl OnTool {
             names: [side.name.clone(), name],
             particles,
             skin,
+            rows: side.rows.clone(),
             watch: Watch::new(&contact.surface),
             contact,
             shape,
@@ -212,6 +216,10 @@ impl implicit_statics::Interaction for OnTool {
         self.stand(Instant { time: 0.0, level });
     }
 
+    fn moves(&self) -> bool {
+        self.motion != Vec3::zeros()
+    }
+
     fn pairs(&self) -> Vec<[usize; 2]> {
         self.pairs.clone()
     }
@@ -268,7 +276,7 @@ impl implicit_statics::Interaction for OnTool {
                 skin.each((0, node), |a, weight| (0..3).for_each(|k| rates[a][k] += weight * force[k]));
             },
         );
-        self.motion != Vec3::zeros()
+        implicit_statics::Interaction::moves(self)
     }
 
     fn stiffness(&self, at: &[[f64; 3]], blocks: &mut [[[f64; 3]; 3]]) {

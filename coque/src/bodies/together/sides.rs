@@ -9,6 +9,7 @@ use sph_core::Vec3;
 use sph_shell::Shell;
 
 use super::contact::Side;
+use super::rows::Rows;
 use super::skin::Between;
 use crate::bodies::body::Body;
 use crate::bodies::galerkin::solid::GalerkinSolid;
@@ -60,6 +61,7 @@ pub(in crate::bodies) fn of_shell(
         spacing,
         rest,
         inside: None,
+        rows: None,
     }))
 }
 
@@ -80,6 +82,7 @@ pub(in crate::bodies) fn of_bonds(scene: &BodyInScene<'_>, body: &SolidScene, so
         spacing,
         rest: block.positions.clone(),
         inside: None,
+        rows: Some(Rows::of_lattice(&block.positions, block.spacing, body.formulation.horizon())),
     })
 }
 
@@ -113,6 +116,7 @@ pub(super) fn of_galerkin(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Ga
         spacing,
         rest,
         inside: Some(inside),
+        rows: body.galerkin().map(|options| Rows::of_faces(cells, options.narrowest())),
     })
 }
 
@@ -128,6 +132,7 @@ pub(super) fn of_rigid(scene: &BodyInScene<'_>, body: &RigidBody, spacing: f64) 
         spacing,
         rest: body.rest().to_vec(),
         inside: None,
+        rows: None,
     })
 }
 

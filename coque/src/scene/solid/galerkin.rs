@@ -79,6 +79,14 @@ pub enum GalerkinSupport {
     Tensor(PerAxis),
 }
 
+impl Galerkin {
+    /// The least radius of the support of its shape functions, in spacings \[–\].
+    pub fn narrowest(&self) -> f64 {
+        let radii = self.support.as_ref().map_or_else(|| vec![2.5], |support| support.said().1);
+        radii.into_iter().fold(f64::INFINITY, f64::min)
+    }
+}
+
 impl GalerkinSupport {
     /// Its word, and its radii as they were given.
     pub fn said(&self) -> (&'static str, Vec<f64>) {

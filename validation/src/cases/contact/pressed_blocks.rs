@@ -204,3 +204,81 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
         series,
     })])
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use coque::{Scene, Silent};
+
+    use super::*;
+
+    /// Errors \[%\] of pressure, force and half width under a drum at many levels, with the rows of nodes that touch, from the rim to the middle, by their
+    /// area.
+    fn errors(setup: &Setup, support: &str) -> Vec<(u32, [f64; 3])> {
+        let (along, spacing) = (setup.along(), setup.spacing());
+        let (scene, levels, way) = match setup.reach {
+            None => (WITHOUT_ELEMENTS, "analysis.static.levels", 0.0066),
+            Some(_) => (OF_BONDS, "analysis.explicit.quasi-static.levels", 0.008),
+        };
+        let method = match setup.reach {
+            None => ("bodies.block.solid.formulation.galerkin.support.ellipsoid", support.into()),
+            Some(reach) => ("bodies.block.solid.formulation.bond-based.horizon", format!("{reach}.015")),
+        };
+        let block = format!("{{ lengths = [1.0, {along:?}, 1.0], spacing = {spacing:?} }}");
+        let set = [
+            (levels, "14".into()),
+            ("bodies.block.solid.tools.0.moved", format!("[0.0, 0.0, -{way:?}]")),
+            ("bodies.block.solid.geometry.block", block),
+            ("curve[+]", "{ name = \"touching\", of = \"touching-area\", on = \"block.all\" }".into()),
+            method,
+        ];
+        let pairs: Vec<(String, String)> = set.into_iter().map(|(key, value)| (key.into(), value)).collect();
+        let outcome =
+            Scene::with_overrides(scene, "drum", &pairs).unwrap().build(1).unwrap().run(&mut Silent);
+        let column = |name: &str| outcome.curve.column(name).unwrap();
+        let [level, force, moment, pressure, area] = ["level", "P", "M", "p", "touching"].map(column);
+        let block = setup.block();
+        // Of a row on the plane of symmetry half is there.
+        let half_row = if setup.reach.is_none() { 0.5 } else { 0.0 };
+        let state = |i: usize| {
+            let exact = block.at(way * level[i], Block::under_drum);
+            let rows = (area[i] / along / spacing + half_row).round() as u32;
+            let half = 0.75 * std::f64::consts::PI * (moment[i] / force[i]).abs();
+            let off = |found: f64, exact: f64| 100.0 * (found / exact - 1.0);
+            let force = off(force[i] / setup.part(), exact.force);
+            (rows, [off(pressure[i], exact.pressure), force, off(half, exact.half)])
+        };
+        (1..level.len()).map(state).collect()
+    }
+
+    /// The table of docs/contact.md with `ROWS=all`, its coarsest blocks without; from the rows that a contact wants on pressures are right to 3 %.
+    #[test]
+    fn rows_of_a_contact_and_what_they_are_off() {
+        let galerkin = |cells| Setup { method: INCREMENTS, grid: "", cells, reach: None, round: Round::Drum };
+        let bonds = |reach| move |cells| Setup { reach: Some(reach), ..galerkin(cells) };
+        let setups: [(&str, &str, u32, Vec<Setup>); 5] = [
+            ("support 1.2", "1.2", 5, [8, 14, 20].map(galerkin).into()),
+            ("support 1.5", "1.5", 4, [8, 10, 14, 20].map(galerkin).into()),
+            ("support 2.0", "2.0", 3, [8, 14].map(galerkin).into()),
+            ("horizon 2", "", 3, [16, 20, 25, 32].map(bonds(2)).into()),
+            ("horizon 3", "", 5, [16, 20, 25, 32].map(bonds(3)).into()),
+        ];
+        let all = std::env::var_os("ROWS").is_some();
+        for (name, support, wanted, setups) in setups {
+            let some = if all { setups.len() } else { 1 };
+            let mut greatest: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
+            for (rows, errors) in setups.iter().take(some).flat_map(|setup| errors(setup, support)) {
+                let known = greatest.entry(rows).or_default();
+                (0..3).for_each(|k| known[k] = known[k].max(errors[k].abs()));
+            }
+            assert!(greatest.len() > 1, "{name}: {greatest:?}");
+            for (rows, [pressure, force, half]) in greatest {
+                println!(
+                    "{name}: {rows} rows: pressure {pressure:.1}, force {force:.1}, half width {half:.1} %"
+                );
+                assert!(rows < wanted || pressure < 3.0, "{name}: {rows} rows, {pressure}");
+            }
+        }
+    }
+}
