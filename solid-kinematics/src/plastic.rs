@@ -15,7 +15,6 @@ use std::sync::Arc;
 use crate::Tensor;
 use crate::elastic::Moduli;
 use crate::error::ElasticError;
-use crate::update::PointState;
 use crate::voigt::{PAIRS, stress_tensor};
 
 /// Share of the yield stress within which a point that does not flow in a step stands on the surface: it goes on flowing, as far as the
@@ -102,11 +101,11 @@ impl Plastic {
         growth
     }
 
-    /// What flow takes from the moduli over a step that ends at a state; nothing where it did not flow and does not stand at the surface.
-    pub(crate) fn softening(&self, from: &Flow, to: &PointState) -> Option<Softening> {
-        let (direction, q) = effective(&to.stress, &to.flow.back);
-        let [bound, slope] = self.curve.at(to.flow.strain);
-        let growth = to.flow.strain - from.strain;
+    /// What flow takes from the moduli over a step that ends at a stress and a flow; nothing where it did not flow and does not stand at the surface.
+    pub(crate) fn softening(&self, from: &Flow, (stress, to): (&[f64; 6], &Flow)) -> Option<Softening> {
+        let (direction, q) = effective(stress, &to.back);
+        let [bound, slope] = self.curve.at(to.strain);
+        let growth = to.strain - from.strain;
         if growth <= 0.0 && q < bound * (1.0 - ON_SURFACE) {
             return None;
         }

@@ -90,7 +90,8 @@ impl Material {
 
     /// What flow takes from the moduli over the step of a trial.
     fn softening(&self, from: &PointState, trial: &Trial) -> Option<Softening> {
-        self.plastic.as_ref().and_then(|plastic| plastic.softening(&from.flow, &trial.state))
+        let state = &trial.state;
+        self.plastic.as_ref().and_then(|plastic| plastic.softening(&from.flow, (&state.stress, &state.flow)))
     }
 
     /// `A_iJkL = δ_ik S_JL + F_iM C_MJNL F_kN`.

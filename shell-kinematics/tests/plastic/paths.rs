@@ -203,10 +203,10 @@ fn a_stress_beside_the_surface_decays_with_the_flow() {
     assert!(worst < 5e-15, "{worst:.1e}");
 }
 
-/// What strains meet once they are committed is told by the commit, and is what an evaluation finds, but for rounding and what the third step of
+/// What strains meet once they are committed is reported by the commit, and is what an evaluation finds, but for rounding and what the third step of
 /// the return map leaves.
 #[test]
-fn a_commit_tells_what_its_strains_meet() {
+fn a_commit_reports_what_its_strains_meet() {
     let mut worst = 0.0_f64;
     for (name, hardening) in hardenings() {
         let mut random = Random(83);
@@ -216,13 +216,13 @@ fn a_commit_tells_what_its_strains_meet() {
             for _ in 0..3 {
                 let now = random.strains(0.01, 0.02);
                 pack.commit(&now);
-                let told = forces(&pack.resultants(&now));
+                let reported = forces(&pack.resultants(&now));
                 let numbers: Vec<f64> = pack.numbers().collect();
                 let mut apart = HistoryPack::new(section.clone());
                 apart.take_up(&numbers);
                 // Strains that differ from the committed ones by rounding meet the law itself.
                 let near = plus(&now, &now, 1e-15);
-                for (i, (a, b)) in told.into_iter().zip(forces(&apart.resultants(&near))).enumerate() {
+                for (i, (a, b)) in reported.into_iter().zip(forces(&apart.resultants(&near))).enumerate() {
                     let off = most(a - b) / sizes()[i];
                     worst = worst.max(off);
                     assert!(off < 1e-9, "{name}: {off:.1e}");

@@ -2,6 +2,7 @@
 
 pub(crate) mod bounds;
 pub(crate) mod point;
+pub(crate) mod remembered;
 pub(crate) mod remembering;
 pub(crate) mod results;
 pub(crate) mod scheme;

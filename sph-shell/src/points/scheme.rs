@@ -1,19 +1,18 @@
 //! The sampling points of a formulation: their layout, what corrects their strains, what holds their zero-energy modes.
 
-use shell_kinematics::{LANES, Section, SectionPack, StrainMeasure, StrainPack, StressedPack};
+use shell_kinematics::{LANES, Section, SectionPack, StrainPack, StressedPack};
 
 use crate::control::arcs::{ArcPack, ChordLoss};
 use crate::control::cells::CellPack;
 use crate::control::pairs::PairControl;
 use crate::control::shear::ShearPack;
 use crate::control::yielding::YieldingControl;
-use crate::dispatch::widest;
 use crate::error::ShellError;
 use crate::formulation::{Formulation, Reach};
 use crate::gather::{Gather, Place, Places};
 use crate::packs::{Constants, Packs, Row};
 use crate::points::point::Point;
-use crate::points::remembering::{Committing, RememberingPack};
+use crate::points::remembering::RememberingPack;
 use crate::points::strong_form::StrongForm;
 use crate::reference::Reference;
 use crate::regions::Scales;
@@ -195,16 +194,6 @@ impl Points {
             strain: self.strains.get(index).map(|own| own as _),
             ..Point::new(&self.packs, index)
         }
-    }
-
-    /// Commits what a state makes of the history of each point.
-    pub fn commit(&mut self, strain: &dyn StrainMeasure, state: &[Row], threads: usize) {
-        let Sections::Remembering(packs) = &mut self.sections else { return };
-        let mut packs = std::mem::take(packs);
-        parallel::chunks(threads, &mut packs[..], |first, chunk: &mut [RememberingPack]| {
-            widest(Committing { points: self, strain, state, first, packs: chunk });
-        });
-        self.sections = Sections::Remembering(packs);
     }
 
     /// Lets all histories stay as they are whatever the strains, or no longer.

@@ -72,8 +72,8 @@ fn necking(shell: &Shell, of_cells: &[Yielded]) -> Option<Warning> {
         (count, least) = (count + 1, least.min(own.thickness));
     }
     let message = format!(
-        "{count} cells are drawn to {:.0} % of their thickness and harden by less than they get thinner (K' < K): a neck is as wide as a cell there, and what \
-         comes behind it depends on the mesh; read nothing beyond the greatest force, or compare lattices",
+        "{count} cells are drawn to {:.0} % of their thickness and harden by less than they get thinner (K' < K): a neck may form there, as wide as a \
+         cell, and what comes behind it depends on the mesh; read nothing beyond the greatest force, or compare lattices",
         100.0 * least
     );
     (count > 0).then_some(Warning { kind: WarningKind::Necking, message })
