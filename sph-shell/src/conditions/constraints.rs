@@ -70,8 +70,8 @@ impl Constraints {
             let mut all: Vec<_> =
                 group.iter().flat_map(|&a| std::mem::take(&mut asked[a as usize])).collect();
             all.sort_by_key(|(support, _)| *support);
-            if let Some([one, _]) = all.array_windows().find(|[one, two]| at_an_angle(one, two)) {
-                return Err(ShellError::SectionAlongAxis { support: one.0, particle: group[0] });
+            if let Some(pair) = all.windows(2).find(|pair| at_an_angle(&pair[0], &pair[1])) {
+                return Err(ShellError::SectionAlongAxis { support: pair[0].0, particle: group[0] });
             }
             all.dedup_by_key(|(support, _)| *support);
             for &a in group {
