@@ -220,7 +220,7 @@ impl PlasticSection {
     /// [`Memory::history_from`] in any registers; `write` takes every number of the new history with its place.
     ///
     /// ln λ₃ is the mean over the thickness of `−ν/E (σ11 + σ22) − (εp11 + εp22)`. χ = 1/(1 + pγ) is the share that the flow of a step leaves of a
-    /// stress beside the yield surface ([`super::return_map`]), with the mean of p; that of the section is the mean over its points, each with the square
+    /// stress beside the yield surface (inelastic/return_map.rs), with the mean of p; that of the section is the mean over its points, each with the square
     /// of its height, at least 0.02.
     #[inline(always)]
     pub fn commit_in<P: Number>(
