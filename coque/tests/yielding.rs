@@ -129,8 +129,7 @@ fn threads_change_no_bit() {
         outcome.curve.rows.iter().flatten().map(|value| value.to_bits()).collect()
     };
     // More packs than one chunk of a thread.
-    let scenes: [(&str, Replaced); 3] = [
-        (BURSTING, &SOLID),
+    let scenes: [(&str, Replaced); 2] = [
         (
             STRUCK,
             &[("geometry.plate.particles", "[101, 31]"), ("analysis.explicit.transient.duration", "0.001")],

@@ -76,14 +76,14 @@ fn front(body: &Galerkin, shear: f64) -> f64 {
 }
 
 /// Pressures and elastic-plastic radii on the way into full flow, and the pressure at its end over Hill's limit.
-fn burst(across: usize, poisson: f64, volumes: Volumes) -> (Vec<[f64; 2]>, f64) {
+fn burst(across: usize, poisson: f64) -> (Vec<[f64; 2]>, f64) {
     let mut parts = cylinder(across);
     let moduli = Moduli::isotropic(1.0, poisson).expect("moduli");
     let shear = moduli.shear().expect("isotropic");
     let curve = Arc::new(Hardened(Hardening::linear(YIELD, 0.0).expect("a curve")));
     parts.material.plastic = Some(Plastic::new(&moduli, curve, 0.0).expect("plastic"));
     parts.material.moduli = moduli;
-    parts.volumes = volumes;
+    parts.volumes = Volumes::Mean;
     let mut body = body(parts);
     let mut options =
         PathOptions::new(Control::ArcLength { first: 0.2 * YIELD, range: (-YIELD, 2.0 * YIELD) });
@@ -112,15 +112,13 @@ fn hill(c: f64) -> f64 {
     2.0 / 3.0_f64.sqrt() * YIELD * (libm::log(c / a) + 0.5 * (1.0 - c * c / (b * b)))
 }
 
-/// By the mean of a cell .14 % at most on the way of ν = .499, and .01 % at the limit; by points .23 and .35 %.
+/// .14 % at most on the way of ν = .499, and .01 % at the limit.
 #[test]
 fn hills_cylinder_yields_from_within() {
-    for (volumes, most) in [(Volumes::Points, 0.01), (Volumes::Mean, 0.004)] {
-        let (course, limit) = burst(8, 0.499, volumes);
-        let within = course.iter().filter(|[_, c]| *c < RADII[1]);
-        let off: Vec<[f64; 2]> = within.map(|&[p, c]| [c, p / hill(c) - 1.0]).collect();
-        println!("{volumes:?}: limit {limit:.5}, pressure by radius {off:.4?}");
-        assert!(off.len() >= 3 && off.iter().all(|[_, off]| off.abs() < most), "{off:?}");
-        assert!((limit - 1.0).abs() < most, "{limit}");
-    }
+    let (course, limit) = burst(8, 0.499);
+    let within = course.iter().filter(|[_, c]| *c < RADII[1]);
+    let off: Vec<[f64; 2]> = within.map(|&[p, c]| [c, p / hill(c) - 1.0]).collect();
+    println!("limit {limit:.5}, pressure by radius {off:.4?}");
+    assert!(off.len() >= 3 && off.iter().all(|[_, off]| off.abs() < 0.004), "{off:?}");
+    assert!((limit - 1.0).abs() < 0.0004, "{limit}");
 }

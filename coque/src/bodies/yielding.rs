@@ -1,6 +1,7 @@
 //! What a particle of a body that yields has gone through.
 
 use crate::scene::Measured;
+use crate::{Warning, WarningKind};
 
 /// What the cells round a particle have gone through, as it was committed last.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -22,4 +23,16 @@ impl Yielding {
             _ => self.dissipated,
         }
     }
+}
+
+/// Plastic strains that a table of hardening does not reach.
+pub(crate) fn beyond_data(until: Option<f64>, strains: impl Iterator<Item = f64>) -> Option<Warning> {
+    let greatest = strains.fold(0.0, f64::max);
+    until.filter(|until| greatest > *until).map(|until| {
+        let message = format!(
+            "plastic strains reach {greatest:.3}, and the table of hardening ends at {until:.3}: its last slope was kept; add rows to \
+             material.plastic.hardening.table"
+        );
+        Warning::new(WarningKind::BeyondData, message)
+    })
 }

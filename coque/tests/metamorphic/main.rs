@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 37] = [
+const SCENES: [(&str, Replaced); 38] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -52,6 +52,7 @@ const SCENES: [(&str, Replaced); 37] = [
     ("../coque/tests/solids_on_tools/thrown.toml", &[]),
     ("../coque/tests/solids_on_tools/pressed.toml", &APART),
     ("block-on-flat.toml", &[]),
+    ("roof-collapsing.toml", &ROOF),
     ("strip-springback.toml", &SPRINGBACK),
     ("hemisphere-yielding.toml", &YIELDING),
     ("tube-inflating.toml", &[("analysis.static.levels", "4")]),
@@ -86,6 +87,12 @@ const YIELDING: [(&str, &str); 2] =
 const BURSTING: [(&str, &str); 2] = [
     ("bodies.tube.solid.geometry.arc.cells", "[4, 2, 3]"),
     ("analysis", "{ static = { levels = [0.8, 1.4, 1.7], tolerance = 1e-12 } }"),
+];
+
+/// Under way to its limit load.
+const ROOF: [(&str, &str); 2] = [
+    ("geometry.cylinder.particles", "[9, 9]"),
+    ("analysis", "{ static = { levels = [0.4, 0.7, 0.9, 1.0, 1.1] } }"),
 ];
 
 /// No level is cut into steps, whose number would hang on rounding, where it flows.

@@ -88,30 +88,22 @@ impl Newton {
         goes_on: bool,
     ) -> Result<Converged, EquilibriumError> {
         let expected = self.force_scale;
-        let converged = self.settled(system, level, goes_on)?;
+        let size = self.residual(system, level)?;
+        let bound = self.options.tolerance * norm(&self.external).max(expected);
+        let committed = goes_on && system.tangent_is_of_the_step();
+        let converged = if !committed && (size > bound || system.within_bounds().is_err()) {
+            self.at_level(system, level)?
+        } else {
+            let inertia = self.tangent(system, level)?;
+            self.force_scale = expected.max(norm(&self.external)).max(norm(&self.internal));
+            self.keep(system);
+            Converged { level, iterations: 0, residuals: vec![size], bound, inertia }
+        };
         if system.has_moving_tools() {
             let borne = norm(&self.external).max(norm(&self.internal));
             self.force_scale = Self::of_expected(system, expected).max(borne);
         }
         Ok(converged)
-    }
-
-    fn settled<E: Equilibrium + ?Sized>(
-        &mut self,
-        system: &mut E,
-        level: f64,
-        goes_on: bool,
-    ) -> Result<Converged, EquilibriumError> {
-        let size = self.residual(system, level)?;
-        let bound = self.options.tolerance * norm(&self.external).max(self.force_scale);
-        let committed = goes_on && system.tangent_is_of_the_step();
-        if !committed && (size > bound || system.within_bounds().is_err()) {
-            return self.at_level(system, level);
-        }
-        let inertia = self.tangent(system, level)?;
-        self.force_scale = self.force_scale.max(norm(&self.external)).max(norm(&self.internal));
-        self.keep(system);
-        Ok(Converged { level, iterations: 0, residuals: vec![size], bound, inertia })
     }
 }
 

@@ -160,3 +160,94 @@ fn stored<R: Registers>(registers: R, strains: &Strains<R::Four>) -> Strains {
         shear: [registers.store(g), registers.store(h)],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use shell_kinematics::{Hardening, Isotropic, Plastic, Section};
+    use sph_core::{Cylinder, EndWeights, lattice};
+
+    use super::*;
+    use crate::formulation::{Formulation, Reach};
+    use crate::reference::Reference;
+    use crate::regions::Scales;
+
+    /// Forces, energies or none of them, in the copy of the registers.
+    struct Swept<'a, 'b> {
+        sweep: Sweep<'a>,
+        ring: &'b mut Ring,
+    }
+
+    impl Work for Swept<'_, '_> {
+        type Output = ();
+
+        fn run<R: Registers>(self, registers: R) {
+            let count = self.sweep.points.packs.points.len();
+            self.sweep.block(registers, 0..count, self.ring, &mut vec![0.0; count]);
+        }
+    }
+
+    /// What three steps leave of histories and forces, of states that were committed and of others, in the copy for this machine or in the baseline copy.
+    fn bits(section: &Arc<dyn Section>, wide: bool) -> Vec<u64> {
+        let patch = Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 };
+        let cloud = lattice(&patch, [7, 6], EndWeights::Trapezoid).unwrap();
+        let (formulation, scales) = (Formulation::StressPoint(Reach::Cell), section.scales());
+        let reference = Reference::new(cloud, &formulation, &scales, 1.0, None).unwrap();
+        let scales = Scales { uniform: scales, own: Vec::new() };
+        let mut points = Points::new(&reference, &formulation, &scales, 1.0).unwrap();
+        let count = points.packs.points.len();
+        points.sections = Sections::Remembering(vec![RememberingPack::new(Arc::clone(section)); count]);
+        let (mut state, mut bits) = (reference.rest(), Vec::new());
+        for step in 0..6 {
+            for (i, row) in state.iter_mut().enumerate() {
+                for (k, value) in row.iter_mut().enumerate() {
+                    *value += 0.01 * libm::sin((7 * i + 3 * k + 5 * step) as f64);
+                }
+            }
+            if step % 2 == 0 {
+                let Sections::Remembering(mut packs) = std::mem::replace(&mut points.sections, Sections::One)
+                else {
+                    unreachable!("they remember")
+                };
+                let work = Committing {
+                    points: &points,
+                    strain: &Logarithmic,
+                    state: &state,
+                    first: 0,
+                    packs: &mut packs,
+                };
+                if wide {
+                    widest(work)
+                } else {
+                    work.run(Baseline)
+                }
+                bits.extend(packs.iter().flat_map(|pack| pack.numbers()).map(f64::to_bits));
+                points.sections = Sections::Remembering(packs);
+            }
+            let law =
+                PointLaw { strain: &Logarithmic as &dyn StrainMeasure, section: &**section, yielding: None };
+            let mut ring = Ring::new(&points.packs, count);
+            let work = Swept {
+                sweep: Sweep { points: &points, law, state: &state, energy: false },
+                ring: &mut ring,
+            };
+            if wide {
+                widest(work)
+            } else {
+                work.run(Baseline)
+            }
+            bits.extend(ring.rows().iter().flatten().map(|value| value.to_bits()));
+        }
+        bits
+    }
+
+    #[test]
+    fn registers_change_no_bit_of_a_shell_that_yields() {
+        let elastic = Isotropic::new(10.0, 0.3).unwrap();
+        let plastic = Plastic::new(elastic, Hardening::voce(0.05, 0.02, 10.0).unwrap());
+        let section: Arc<dyn Section> = Arc::new(PlasticSection::new(plastic, 0.1, 6).unwrap());
+        let (here, baseline) = (bits(&section, true), bits(&section, false));
+        assert!(here == baseline && here.iter().filter(|&&bits| f64::from_bits(bits) != 0.0).count() > 1000);
+    }
+}

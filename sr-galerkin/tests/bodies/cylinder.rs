@@ -16,8 +16,8 @@ pub fn cylinder(across: usize) -> Parts {
     let quarter = std::f64::consts::FRAC_PI_2;
     let along = (ALONG * across as f64) as usize;
     let spacing = outer * quarter / along as f64;
-    let long = 2.0 * spacing;
-    let mut parts = block([quarter, long, outer - inner], [along + 1, 3, across + 1], 0.0);
+    let long = spacing;
+    let mut parts = block([quarter, long, outer - inner], [along + 1, 2, across + 1], 0.0);
     let map = |x: &Vec3| {
         let r = inner + x.z;
         Vec3::new(r * libm::sin(x.x), x.y, r * libm::cos(x.x))

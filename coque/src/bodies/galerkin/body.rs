@@ -7,8 +7,9 @@ use sph_core::Vec3;
 
 use super::fields::fields;
 use super::solid::GalerkinSolid;
-use super::warnings::{beyond_data, large_strain};
+use super::warnings::large_strain;
 use crate::bodies::body::{Body, Configuration, Mismatch, StateArray, StaticBody};
+use crate::bodies::yielding::beyond_data;
 use crate::bodies::{FieldRequest, FieldSource, Outline, Yielding};
 use crate::scene::Measured;
 use crate::warning::Warning;
@@ -96,8 +97,9 @@ impl StaticBody for GalerkinSolid {
     }
 
     fn warnings(&self) -> Vec<Warning> {
-        let beyond = beyond_data(self.data_until, &self.galerkin.flowed());
-        large_strain(self.galerkin.greatest_strain()).into_iter().chain(beyond).collect()
+        let flowed = self.galerkin.flowed();
+        let beyond = beyond_data(self.data_until, flowed.iter().map(|[strain, _]| *strain));
+        large_strain(self.galerkin.greatest_strain(), !flowed.is_empty()).into_iter().chain(beyond).collect()
     }
 }
 

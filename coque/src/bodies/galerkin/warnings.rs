@@ -119,24 +119,17 @@ fn few_cells(scene: &BodyInScene<'_>, lengths: [f64; 3], block: &Block) -> Optio
 const MEANT: f64 = 0.2;
 
 /// Strains beyond those that the law was made for.
-pub(super) fn large_strain(found: f64) -> Option<Warning> {
+pub(super) fn large_strain(found: f64, yields: bool) -> Option<Warning> {
     (found > MEANT).then(|| {
+        let repair = if yields {
+            "where the axes of stretch turn in the material, which finer levels do not mend: read nothing that is sheared so far"
+        } else {
+            "the other law, law = \"st-venant\", tells how much that matters"
+        };
         let message = format!(
             "a principal strain is {found:.2} in the last state: linear laws of increments are meant for less than {MEANT} and may be \
-             off beyond; the other law, law = \"st-venant\", tells how much that matters"
+             off beyond; {repair}"
         );
         Warning::new(WarningKind::LargeStrain, message)
-    })
-}
-
-/// Plastic strains that a table of hardening does not reach.
-pub(super) fn beyond_data(until: Option<f64>, flowed: &[[f64; 2]]) -> Option<Warning> {
-    let greatest = flowed.iter().fold(0.0_f64, |most, [strain, _]| most.max(*strain));
-    until.filter(|until| greatest > *until).map(|until| {
-        let message = format!(
-            "plastic strains reach {greatest:.3}, and the table of hardening ends at {until:.3}: its last slope was kept; add rows to \
-             material.plastic.hardening.table"
-        );
-        Warning::new(WarningKind::BeyondData, message)
     })
 }

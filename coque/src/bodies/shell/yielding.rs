@@ -3,6 +3,7 @@
 use sph_shell::{Shell, Yielded};
 
 use crate::bodies::Yielding;
+use crate::bodies::yielding::beyond_data;
 use crate::{Warning, WarningKind};
 
 /// Share of the work above which the control of zero-energy modes holds too much \[–\]: roof, hemisphere, plate and pinched cylinder have .1 to .4 % with
@@ -35,15 +36,8 @@ pub(super) fn yielding(shell: &Shell) -> Vec<Yielding> {
 pub(super) fn warnings(shell: &Shell) -> Vec<Warning> {
     let of_cells = shell.yielded();
     let mut out = Vec::new();
-    let greatest = of_cells.iter().fold(0.0_f64, |most, own| most.max(own.plastic_strain));
     let data = shell.plastic_section().and_then(|section| section.data_until());
-    if let Some(until) = data.filter(|until| greatest > *until) {
-        let message = format!(
-            "plastic strains reach {greatest:.3}, and the table of hardening ends at {until:.3}: its last slope was kept; add rows to \
-             material.plastic.hardening.table"
-        );
-        out.push(Warning { kind: WarningKind::BeyondData, message });
-    }
+    out.extend(beyond_data(data, of_cells.iter().map(|own| own.plastic_strain)));
     out.extend(necking(shell, &of_cells));
     let control: f64 = of_cells.iter().map(|own| own.control).sum();
     let work = shell.internal_work();
