@@ -48,13 +48,15 @@ fn bars_hold_the_true_error_and_are_not_much_larger() {
         let own = curve.column(column).unwrap();
         let bars = &errors.of(column).unwrap().bars;
         assert_eq!(bars.len(), own.len());
+        // No bar is narrower than what solvers leave, not even that of a row before any load.
+        let left = 1e-9 * own.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         for (row, found) in bars.iter().enumerate() {
             assert_eq!(found.value.to_bits(), own[row].to_bits());
             // The fine lattice is off by a fifteenth of the difference at the second order.
             let error = 16.0 / 15.0 * (own[row] - truth[row]).abs();
             let bar = found.bar.unwrap();
             // Where an error passes through zero from one lattice to the next, the bar is that of the lattices beside it.
-            let wide = 6.0 * error + 1e-3 * own[row].abs();
+            let wide = 6.0 * error + 1e-3 * own[row].abs() + 1.001 * left;
             assert!(error <= bar && bar <= wide, "{name} {row}: {found:?}, error {error}");
         }
     }
