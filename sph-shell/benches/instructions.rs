@@ -7,7 +7,9 @@ use std::process::Command;
 
 use contact::{Law, ToolShape, stiffness};
 use explicit_dynamics::{Amplitude, Clock};
-use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
+use shell_kinematics::{
+    Hardening, Isotropic, IsotropicSection, Logarithmic, Plastic, PlasticSection, StretchCorrected,
+};
 use sph_core::{Cell, Cloud, CubicSpline, EndWeights, Plate, Vec3, lattice};
 use sph_shell::{
     Divergence, Formulation, LoadCase, OwnContact, Parts, Reach, Shell, Spring, SpringBetween, Springs, Tool,
@@ -45,6 +47,15 @@ const STACKED: [(&str, f64, bool, bool); 6] = [
     ("two sheets near each other, with edges", 2.0, true, true),
     ("two sheets that touch all over", 0.9, true, false),
     ("two sheets that touch all over, with edges", 0.9, true, true),
+];
+
+/// The first formulation with strains for materials that yield: elastic, then of six slices by their curve of hardening, whose yield stress is so high
+/// that none flows or so low that all do.
+const YIELDING: [&str; 4] = [
+    "logarithmic strains",
+    "six slices, none flows",
+    "six slices, all flow, linear",
+    "six slices, all flow, table of four",
 ];
 
 /// A plane at that distance; none beyond the kinds.
@@ -97,18 +108,29 @@ fn main() {
             march(stack(distance, touches.then_some(edges)), steps);
             return;
         }
+        let kind_of_yielding = kind(SPRUNG.len() + TOUCHED.len() + STACKED.len());
+        if kind_of_yielding < YIELDING.len() {
+            march(yielding(kind_of_yielding), steps);
+            return;
+        }
         march(plate(formulation, springs(kind(0)), tools(kind(SPRUNG.len()))), steps);
         return;
     }
     let names = formulations().map(|formulation| format!("{formulation:?}"));
-    let acted = SPRUNG.into_iter().chain(TOUCHED).chain(STACKED.map(|(name, ..)| name)).map(String::from);
+    let acted = SPRUNG
+        .into_iter()
+        .chain(TOUCHED)
+        .chain(STACKED.map(|(name, ..)| name))
+        .chain(YIELDING)
+        .map(String::from);
+    let stacked = formulations().len() + SPRUNG.len() + TOUCHED.len();
     for (which, name) in names.into_iter().chain(acted).enumerate() {
         let counts = STEPS.map(|steps| count(which, steps));
         let [Some(few), Some(many)] = counts else {
             println!("instruction counts skipped: valgrind is not here, or it did not report a count");
             return;
         };
-        let sheets = if which < formulations().len() + SPRUNG.len() + TOUCHED.len() { 1 } else { 2 };
+        let sheets = if (stacked..stacked + STACKED.len()).contains(&which) { 2 } else { 1 };
         let particle_steps = (STEPS[1] - STEPS[0]) * (sheets * SIDE * SIDE) as u64;
         println!("{name}: {} instructions a particle-step", (many - few) / particle_steps);
     }
@@ -146,6 +168,24 @@ fn plate(formulation: Formulation, springs: Springs, tools: Vec<Tool>) -> Shell 
     let cloud = lattice(&Plate { lengths: [1.0, 1.0] }, [SIDE, SIDE], EndWeights::Trapezoid)
         .expect("a sound lattice");
     Shell::builder(parts(cloud, formulation)).springs(springs).tools(tools).build().expect("a sound shell")
+}
+
+/// A plate with strains for materials that yield, by its kind.
+fn yielding(kind: usize) -> Shell {
+    let curve = match kind {
+        1 => Hardening::linear(1e6, 1e3),
+        2 => Hardening::linear(1e-6, 1e3),
+        _ => Hardening::table(&[[0.0, 1e-6], [1e-6, 1e-3], [1e-4, 2e-3], [1e-2, 1e-2]]),
+    };
+    let cloud = lattice(&Plate { lengths: [1.0, 1.0] }, [SIDE, SIDE], EndWeights::Trapezoid)
+        .expect("a sound lattice");
+    let mut parts = Parts { strain: &Logarithmic, ..parts(cloud, formulations()[0]) };
+    if kind > 0 {
+        let elastic = Isotropic::new(1e6, 0.3).expect("a sound material");
+        let material = Plastic::new(elastic, curve.expect("a sound curve"));
+        parts.section = Box::new(PlasticSection::new(material, 0.01, 6).expect("a sound section"));
+    }
+    Shell::builder(parts).build().expect("a sound shell")
 }
 
 /// Two plates of unlike places at a distance over the thickness.

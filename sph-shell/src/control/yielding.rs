@@ -7,8 +7,9 @@
 //! δσ̇ = C (δε̇ − γ̇ P δσ)        or, with p the mean of CP,        Ṡ = k ṡ − p γ̇ S
 //! ```
 //!
-//! a spring k and a damper in series, with the flow of the section for its clock: no rate, no number that is chosen. A step of backward Euler keeps the share χ of S
-//! and of what it adds, `S = χ (S' + k Δs)`, with χ = 1/(1 + pγ) in the mean over the section ([`shell_kinematics::Memory::kept_share`]); it is that of the step before, so that a
+//! a spring k and a damper in series, with the flow of the section for its clock: no rate, and no number that is chosen but the least χ, .02, which keeps its
+//! stiffness. A step of backward Euler keeps the share χ of S and of what it adds, `S = χ (S' + k Δs)`, with χ = 1/(1 + pγ) in the mean over the section
+//! ([`shell_kinematics::Memory::kept_share`]); it is that of the step before, so that a
 //! step has a potential:
 //!
 //! ```text
