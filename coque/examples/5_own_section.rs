@@ -60,6 +60,10 @@ impl Graded {
 }
 
 impl Section for Graded {
+    fn linear(&self) -> bool {
+        true
+    }
+
     fn resultants(&self, strains: &Strains) -> Resultants {
         let [a, b, d] = self.moments;
         let nu = self.poisson;

@@ -76,6 +76,8 @@ pub enum WarningKind {
     ThinLayer,
     /// The displacement of a loaded face on which bonds are missing.
     LoadedFace,
+    /// A solid of bonds that is touched through a skin that lacks bonds.
+    SoftSkin,
     /// A fluid that was compressed more than its method bears.
     Compressed,
     /// A speed of sound too low for the speed that the fluid reached.
@@ -173,6 +175,7 @@ impl WarningKind {
             Self::FewLayers => "few-layers",
             Self::ThinLayer => "thin-layer",
             Self::LoadedFace => "loaded-face",
+            Self::SoftSkin => "soft-skin",
             Self::Compressed => "compressed",
             Self::SlowSound => "slow-sound",
             Self::LateFront => "late-front",
@@ -263,6 +266,7 @@ mod tests {
             WarningKind::FewLayers,
             WarningKind::ThinLayer,
             WarningKind::LoadedFace,
+            WarningKind::SoftSkin,
             WarningKind::Compressed,
             WarningKind::SlowSound,
             WarningKind::LateFront,

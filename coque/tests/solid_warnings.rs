@@ -106,3 +106,17 @@ fn a_plate_held_over_its_face_is_reported() {
     assert_eq!(warned(&[clamped]), []);
     assert_eq!(warned(&[over, ("analysis", "{ linear = {} }")]), []);
 }
+
+#[test]
+fn a_soft_skin_is_reported_where_it_is_touched() {
+    let soft = |name: &str, replaced: Replaced| {
+        let model = scene(name, replaced).unwrap().build(1).unwrap();
+        model.warnings().iter().any(|warning| warning.kind == WarningKind::SoftSkin)
+    };
+    let none = |body: &str| format!("bodies.{body}.solid.formulation.bond-based.correction");
+    assert!(!soft("drum-on-bonds.toml", &[]));
+    assert!(soft("drum-on-bonds.toml", &[(&none("block"), "'none'")]));
+    // Cracks want none, and nothing touches the plate.
+    assert!(!soft("crack-branching.toml", &[]));
+    assert!(soft("fragments-on-shell.toml", &[]));
+}

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::inelastic::{PlasticSection, Tallies};
 use crate::memory::Memory;
+use crate::mixed_section::{MixedSection, chosen};
 use crate::pack::{LANES, Pack};
 use crate::section::{Section, SectionOf, SectionScales};
 use crate::strains::{Resultants, Strains};
@@ -70,10 +71,21 @@ impl HistoryPack {
         self.section.memory().map_or(Pack::splat(1.0), |memory| memory.kept_share(&self.committed))
     }
 
-    /// What the committed history of a section that yields says.
-    pub fn tallies(&self) -> Option<Tallies<'_>> {
-        let section: &PlasticSection = (&*self.section as &dyn Any).downcast_ref()?;
-        Some(section.tallies(&self.committed))
+    /// What the committed history says of points that yield; none where no section does.
+    pub fn flowed(&self) -> Option<Flowed> {
+        let any = &*self.section as &dyn Any;
+        if let Some(section) = any.downcast_ref::<PlasticSection>() {
+            return Some(Flowed::of(&section.tallies(&self.committed)));
+        }
+        let mut out = None;
+        for member in any.downcast_ref::<MixedSection>()?.members() {
+            let Some(section) = (&*member.section as &dyn Any).downcast_ref::<PlasticSection>() else {
+                continue;
+            };
+            let found = Flowed::of(&section.tallies(&self.committed[member.numbers.clone()]));
+            out = Some(out.unwrap_or_else(Flowed::not_at_all).with(&found, &member.lanes));
+        }
+        out
     }
 
     /// Lets [`Section::resultants`] be those of a history that stays as it is, or no longer.
@@ -102,6 +114,55 @@ impl HistoryPack {
     /// Bytes of its lists.
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + size_of_val(&self.committed[..]) + size_of_val(&self.trial[..])
+    }
+}
+
+/// What four points of sections that yield have gone through; points of other sections have not flowed.
+#[derive(Clone, Copy, Debug)]
+pub struct Flowed {
+    /// [`Tallies::plastic_strain`].
+    pub plastic_strain: Pack,
+    /// [`Tallies::thickness`].
+    pub thickness: Pack,
+    /// [`Tallies::yielded_share`].
+    pub share: Pack,
+    /// [`Tallies::dissipated`].
+    pub dissipated: Pack,
+    /// [`Tallies::hardened`].
+    pub hardened: Pack,
+}
+
+impl Flowed {
+    fn of(tallies: &Tallies<'_>) -> Self {
+        Self {
+            plastic_strain: tallies.plastic_strain(),
+            thickness: tallies.thickness(),
+            share: tallies.yielded_share(),
+            dissipated: tallies.dissipated(),
+            hardened: tallies.hardened(),
+        }
+    }
+
+    fn not_at_all() -> Self {
+        let zero = Pack::ZERO;
+        Self {
+            plastic_strain: zero,
+            thickness: Pack::splat(1.0),
+            share: zero,
+            dissipated: zero,
+            hardened: zero,
+        }
+    }
+
+    /// The same with some points of another.
+    fn with(self, other: &Self, lanes: &[bool; LANES]) -> Self {
+        Self {
+            plastic_strain: chosen(self.plastic_strain, other.plastic_strain, lanes),
+            thickness: chosen(self.thickness, other.thickness, lanes),
+            share: chosen(self.share, other.share, lanes),
+            dissipated: chosen(self.dissipated, other.dissipated, lanes),
+            hardened: chosen(self.hardened, other.hardened, lanes),
+        }
     }
 }
 

@@ -62,6 +62,10 @@ impl Section for IntegratedSection {
         true
     }
 
+    fn linear(&self) -> bool {
+        true
+    }
+
     fn resultants(&self, strains: &Strains) -> Resultants {
         let mut out = Resultants::default();
         let (c, nu) = (self.material.plane_stress(), self.material.poisson);

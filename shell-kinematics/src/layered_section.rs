@@ -224,6 +224,10 @@ fn multiply<const N: usize>(m: &[[f64; N]; N], s: &[Pack; N], out: &mut [Pack; N
 }
 
 impl Section for LayeredSection {
+    fn linear(&self) -> bool {
+        true
+    }
+
     fn resultants(&self, strains: &Strains) -> Resultants {
         let mut out = Resultants::default();
         multiply(&self.membrane, &strains.membrane, &mut out.membrane);

@@ -91,7 +91,8 @@
 //! Four sections lie side by side in a [`SectionPack`], each at its height; under resultants `N₀, M₀` where nothing is strained in a
 //! [`StressedPack`]. Four strain measures do in a [`StrainPack`].
 //!
-//! A section whose resultants depend on what its points went through has a [`Memory`], and its points a [`HistoryPack`] each four.
+//! A section whose resultants depend on what its points went through has a [`Memory`], and its points a [`HistoryPack`] each four. Of
+//! sections that are not linear, or have a memory, four lie side by side in a [`MixedSection`].
 //!
 //! # Sections that yield, and rubber
 //!
@@ -198,6 +199,7 @@
 //! | the lever arm and the curvature are those of the present thickness and stretch | `a_stretched_sheet_bends_about_its_present_thickness` |
 //! | rubber follows its closed forms, Rivlin's flexure too | tests/rubber.rs |
 //! | measures side by side are those alone | `measures_side_by_side_are_those_alone` (tests/packs.rs) |
+//! | sections that yield, of rubber and elastic ones side by side are those alone; a raised one is a ply | tests/mixed.rs |
 //! | two plies by hand, the released bending stiffness | `two_plies_by_hand`, `scales_of_a_coupled_stack_are_released` |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -208,6 +210,7 @@ mod integrated_section;
 mod layered_section;
 mod log_strain;
 mod memory;
+mod mixed_section;
 mod pack;
 mod placement;
 mod rotation;
@@ -221,7 +224,7 @@ mod strains;
 mod stressed_pack;
 mod tangent;
 
-pub use history_pack::{Commit, HistoryPack, YieldingPack};
+pub use history_pack::{Commit, Flowed, HistoryPack, YieldingPack};
 pub use inelastic::{
     Hardening, Plastic, PlasticPly, PlasticSection, RValues, Rubber, RubberSection, Tallies,
 };
@@ -229,6 +232,7 @@ pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};
 pub use log_strain::Logarithmic;
 pub use memory::Memory;
+pub use mixed_section::MixedSection;
 pub use pack::{Arithmetic, LANES, Number, Pack, Pack3};
 pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
 pub use rotation::parallel_transport;

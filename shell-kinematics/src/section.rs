@@ -40,6 +40,11 @@ pub trait Section: Any + Send + Sync {
         false
     }
 
+    /// Whether resultants are linear in the strains, without coupling of shear to the rest: a few numbers then stand for the section of a point.
+    fn linear(&self) -> bool {
+        false
+    }
+
     /// Its memory; none of a section that answers to strains alone. Of one with memory the formulas above are those of a point that nothing has
     /// strained before, and its [`crate::HistoryPack`] has those of any other.
     fn memory(&self) -> Option<&dyn Memory> {
@@ -260,6 +265,10 @@ impl<P: Number> SectionOf<P> for IsotropicSection {
 
 impl Section for IsotropicSection {
     fn homogeneous(&self) -> bool {
+        true
+    }
+
+    fn linear(&self) -> bool {
         true
     }
 

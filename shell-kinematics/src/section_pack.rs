@@ -37,7 +37,7 @@ impl SectionPack {
     /// The sections of four points, and the height of the middle of each over the particles \[L\].
     ///
     /// Of each its stiffness without strain is taken, membrane with bending and shear by itself: that is all there is of a
-    /// section that is linear and has no coupling between the two, as those of this crate are.
+    /// section that is [linear](Section::linear). Others go into a [`crate::MixedSection`].
     pub fn new(sections: [&dyn Section; LANES], heights: [f64; LANES]) -> Self {
         let tangents = sections.map(|section| section.tangent(&Strains::default()));
         let at = |row: usize, column: usize| Pack::from_fn(|lane| tangents[lane][row][column].lanes()[lane]);
@@ -72,6 +72,10 @@ fn times(m: &[Pack; 6], v: &[Pack; 3]) -> [Pack; 3] {
 }
 
 impl Section for SectionPack {
+    fn linear(&self) -> bool {
+        true
+    }
+
     #[inline(always)]
     fn resultants(&self, strains: &Strains) -> Resultants {
         let (e, k) = (&strains.membrane, &strains.curvature);

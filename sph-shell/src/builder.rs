@@ -163,7 +163,7 @@ impl ShellBuilder {
     /// director, or of one particle; tools without sense, on shells without cells or with sections over or below their particles; contact of a shell with itself where its
     /// thickness is not one, edges are tied or it has no stiffness; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
     /// plane problem of a shell that is no strip across the plane; and regions, ties, rigid sets, stresses and sections with memory where
-    /// strains are not sampled in cells, the last together with regions and stresses too.
+    /// strains are not sampled in cells, the last together with stresses too.
     pub fn build(self) -> Result<Shell, ShellError> {
         let Self {
             parts,

@@ -266,9 +266,9 @@ pub enum ShellError {
     /// Regions where strains are not sampled in cells.
     #[error("several sections want strains sampled in cells; use the formulation by cells")]
     RegionsWithoutCells,
-    /// A section with memory where no point would keep its history.
-    #[error("a section with memory {0}")]
-    Memory(&'static str),
+    /// A section with memory where no point would keep its history, or one that is not linear under an initial stress.
+    #[error("a section with memory, or one of several that is not linear, {0}")]
+    OwnLaw(&'static str),
     /// Initial stresses where strains are not sampled in cells.
     #[error("an initial stress wants strains sampled in cells; use the formulation by cells")]
     StressOfWideStencils,

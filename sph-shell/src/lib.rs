@@ -192,8 +192,9 @@
 //! ```
 //!
 //! A march commits at the end of each step, [`StaticShell`] a state that is accepted; saved states and [`Shell::history`] hold h₀. The stable
-//! step is that of unloading, h₀ held. The control of zero-energy modes follows the share ψ of the section
-//! that did not flow, `S = S⁰ + ψ k (s − s⁰)`, released by a commit to `S⁰ min(1, ψ/ψ⁰)`; initial stress and regions go with no memory.
+//! step is that of unloading, h₀ held. The control of zero-energy modes goes with the flow of the section: of its pull S a step keeps the share χ,
+//! `S = χ (S⁰ + k (s − s⁰))` (src/control/yielding.rs). Regions may have sections of their own with a memory or without, linear or not; an initial stress goes with
+//! linear ones, or one without memory.
 //!
 //! # Supports and loads
 //!

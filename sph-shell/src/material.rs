@@ -92,29 +92,28 @@ impl Material {
         density * self.at(cell).thickness * cloud.cells[cell].geometry(&cloud.positions).area
     }
 
-    /// Gives each pack of points its own sections and strain measures, where there are several, or its history, where the section has a memory.
+    /// Gives each pack of points its own sections and strain measures, where there are several, or its history, where a section has a memory.
     ///
     /// # Errors
-    /// [`ShellError::Memory`] where a memory stands beside what has none.
+    /// [`ShellError::OwnLaw`] for sections with a memory without cells or under an initial stress, and under one for several of which some are not linear.
     pub fn divide(&self, points: &mut Points, stressed: bool) -> Result<(), ShellError> {
-        if self.regions.remember() || self.section.memory().is_some() {
-            if self.regions.any() {
-                return Err(ShellError::Memory("does not go with regions; use it for all of the shell"));
-            }
-            if !matches!(points.scheme, Scheme::Cells { .. }) {
-                return Err(ShellError::Memory(
-                    "wants strains sampled in cells; use the formulation by cells",
-                ));
-            }
-            if stressed {
-                return Err(ShellError::Memory("does not go with an initial stress; remove one of them"));
-            }
-            let fresh = RememberingPack::new(Arc::clone(&self.section));
-            points.sections = Sections::Remembering(vec![fresh; points.packs.order.len()]);
+        let all = || std::iter::once(&self.section).chain(self.regions.sections());
+        let remember = all().any(|section| section.memory().is_some());
+        let mixed = self.regions.any() && !all().all(|section| section.linear());
+        if (remember || mixed) && stressed {
+            return Err(ShellError::OwnLaw("does not go with an initial stress; remove one of them"));
         }
+        if remember && !matches!(points.scheme, Scheme::Cells { .. }) {
+            return Err(ShellError::OwnLaw("wants strains sampled in cells; use the formulation by cells"));
+        }
+        let order = &points.packs.order;
         if self.regions.any() {
-            let order = &points.packs.order;
             points.strains = self.regions.strains(self.strain, order);
+        }
+        if remember || mixed {
+            let sections = self.regions.mixed(&self.section, order);
+            points.sections = Sections::Remembering(sections.into_iter().map(RememberingPack::new).collect());
+        } else if self.regions.any() {
             points.sections = Sections::Own(self.regions.packs(&*self.section, order));
         }
         Ok(())

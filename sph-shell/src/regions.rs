@@ -1,7 +1,7 @@
 //! Several sections in one shell: cells with a material, a thickness and a height of their own.
 //!
-//! Sections are looked up by sampling point, four side by side ([`SectionPack`]), so that cells keep their order and a step
-//! stays one sweep. Masses and rotary inertias are spread over the corners of cells,
+//! Sections are looked up by sampling point, four side by side ([`SectionPack`], or [`MixedSection`] where one of them is not linear), so that cells keep
+//! their order and a step stays one sweep. Masses and rotary inertias are spread over the corners of cells,
 //!
 //! ```text
 //! m_a = Σ_c A_ac ρ_c t_c        I_a = Σ_c A_ac ρ_c t_c (max(t_c², w_c)/12 + e_c²)
@@ -11,7 +11,9 @@
 //! particles. What a height couples of velocity and rate of the director, `ρ t e ẋ·ḋ`, is left out: masses stay diagonal.
 //! Without time nothing is left out. A region may have a strain measure of its own ([`StrainPack`]), which masses and stable step do not know.
 
-use shell_kinematics::{LANES, Section, SectionPack, SectionScales, StrainMeasure, StrainPack};
+use std::sync::Arc;
+
+use shell_kinematics::{LANES, MixedSection, Section, SectionPack, SectionScales, StrainMeasure, StrainPack};
 use sph_core::Vec3;
 
 use crate::conditions::spread::{check_cells, spread};
@@ -22,8 +24,8 @@ use crate::reference::Reference;
 pub struct Region {
     /// The cells.
     pub cells: Vec<u32>,
-    /// Their section, linear in the strains.
-    pub section: Box<dyn Section>,
+    /// Their section.
+    pub section: Arc<dyn Section>,
     /// Mass density \[M/L³\].
     pub density: f64,
     /// Height of the middle of the section over the particles, along the normal \[L\].
@@ -113,9 +115,14 @@ impl Regions {
         Scales { uniform, own: own.collect() }
     }
 
-    /// Whether any of their sections has a memory.
-    pub fn remember(&self) -> bool {
-        self.regions.iter().any(|region| region.section.memory().is_some())
+    /// Their sections.
+    pub fn sections(&self) -> impl Iterator<Item = &Arc<dyn Section>> {
+        self.regions.iter().map(|region| &region.section)
+    }
+
+    /// The section at a point.
+    pub fn section<'a>(&'a self, base: &'a Arc<dyn Section>, point: usize) -> &'a Arc<dyn Section> {
+        self.at(point).map_or(base, |region| &region.section)
     }
 
     /// Whether there are any.
@@ -123,7 +130,20 @@ impl Regions {
         !self.regions.is_empty()
     }
 
-    /// The sections of each pack of points.
+    /// The sections of each pack of points, that need not be linear: one where its points have the same in the middle of their particles.
+    pub fn mixed(&self, base: &Arc<dyn Section>, order: &[[u32; LANES]]) -> Vec<Arc<dyn Section>> {
+        let pack = |points: &[u32; LANES]| -> Arc<dyn Section> {
+            let sections = points.map(|p| Arc::clone(self.section(base, p as usize)));
+            let heights = points.map(|p| self.at(p as usize).map_or(0.0, |region| region.height));
+            if heights == [0.0; LANES] && sections.iter().all(|own| Arc::ptr_eq(own, &sections[0])) {
+                return Arc::clone(&sections[0]);
+            }
+            Arc::new(MixedSection::new(sections, heights))
+        };
+        order.iter().map(pack).collect()
+    }
+
+    /// The sections of each pack of points, all linear.
     pub fn packs(&self, base: &dyn Section, order: &[[u32; LANES]]) -> Vec<SectionPack> {
         let pack = |points: &[u32; LANES]| {
             let regions = points.map(|p| self.at(p as usize));

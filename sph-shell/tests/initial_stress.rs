@@ -36,7 +36,7 @@ fn mixed(cloud: Cloud, parts: impl Fn(Cloud) -> Parts) -> Shell {
     };
     let laminate = Region {
         cells: cells(&|x| x.y < 0.9),
-        section: Box::new(unsymmetric(0.0)),
+        section: std::sync::Arc::new(unsymmetric(0.0)),
         density: DENSITY,
         height: 0.15,
         axis: Some(X),

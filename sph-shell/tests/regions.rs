@@ -28,7 +28,7 @@ fn isotropic(young: f64, poisson: f64, thickness: f64) -> Box<dyn Section> {
 }
 
 fn plain(cells: Vec<u32>, section: Box<dyn Section>, height: f64) -> Region {
-    Region { cells, section, density: DENSITY, height, axis: None, strain: None }
+    Region { cells, section: section.into(), density: DENSITY, height, axis: None, strain: None }
 }
 
 /// Cells whose centre is where `inside` says.
@@ -42,7 +42,7 @@ fn mixed(cloud: Cloud) -> Shell {
     let (left, right) = (cells(&cloud, |x| x.y < 0.9), cells(&cloud, |x| x.y > 1.6));
     let laminate = Region {
         cells: left,
-        section: Box::new(unsymmetric(0.0)),
+        section: std::sync::Arc::new(unsymmetric(0.0)),
         density: 2.0 * DENSITY,
         height: 0.15,
         axis: Some(AXIS),

@@ -25,6 +25,9 @@ const SAFETY_OF_TWO: f64 = 3.0;
 const CHANCE: f64 = 4.0;
 /// Factor on an error of which most is seen on a finer lattice, and orders that are believed there.
 const SHARP: (f64, [f64; 2]) = (1.25, [0.5, CHANCE]);
+/// Factor on the greatest difference of answers that go back and forth. Three errors of one size that know nothing of each other have the first within
+/// their greatest difference in 88 % of the cases if they are normal, within 1.5 of it in 95 % (uniform: 86, 93 %).
+const SAFETY_OF_NOISE: f64 = 1.5;
 /// Differences below this share of the greatest value of a column are round-off: answers of Newton's method and of factors agree so far.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -59,7 +62,7 @@ pub fn bar(own: OnLattice, others: &[OnLattice], scale: f64) -> ErrorBar {
     };
     let differences = [first.value - second.value, second.value - third.value];
     if differences[0] * differences[1] < 0.0 {
-        return with(Some(greatest), None, Verdict::NotYet);
+        return with(Some(SAFETY_OF_NOISE * greatest), None, Verdict::NotYet);
     }
     let spacings = [first, second, third].map(|answer| answer.spacing);
     let Some(order) = order(spacings, differences.map(f64::abs)) else {
@@ -151,10 +154,10 @@ mod tests {
     }
 
     #[test]
-    fn what_goes_back_and_forth_has_its_greatest_difference() {
+    fn what_goes_back_and_forth_has_a_half_more_than_its_greatest_difference() {
         let found = of(SPACINGS, [1.0, 1.1, 0.7]);
         assert_eq!((found.order, found.verdict), (None, Verdict::NotYet));
-        assert!((found.bar.unwrap() - 0.4).abs() < 1e-12);
+        assert!((found.bar.unwrap() - 0.6).abs() < 1e-12);
     }
 
     #[test]

@@ -25,10 +25,10 @@ impl Yielding {
     }
 }
 
-/// Plastic strains that a table of hardening does not reach.
-pub(crate) fn beyond_data(until: Option<f64>, strains: impl Iterator<Item = f64>) -> Option<Warning> {
-    let greatest = strains.fold(0.0, f64::max);
-    until.filter(|until| greatest > *until).map(|until| {
+/// Plastic strains that a table of hardening does not reach, from strains and the ends of their tables.
+pub(crate) fn beyond_data(found: impl Iterator<Item = (f64, f64)>) -> Option<Warning> {
+    let beyond = found.filter(|(strain, until)| strain > until);
+    beyond.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(greatest, until)| {
         let message = format!(
             "plastic strains reach {greatest:.3}, and the table of hardening ends at {until:.3}: its last slope was kept; add rows to \
              material.plastic.hardening.table"

@@ -17,7 +17,7 @@ pub enum Verdict {
     Sharpened,
     /// There are two lattices only: the second order is taken, with three times the error it gives.
     TwoLattices,
-    /// They go back and forth: the bar is their greatest difference.
+    /// They go back and forth: the bar is one and a half times their greatest difference.
     NotYet,
     /// They differ by round-off only.
     Exact,

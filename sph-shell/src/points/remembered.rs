@@ -1,4 +1,4 @@
-//! Points whose section has a memory in a sweep, and the commit of what they went through.
+//! Points with a history in a sweep, and the commit of what they went through.
 
 use std::any::Any;
 use std::ops::Range;
@@ -57,12 +57,14 @@ impl Sweep<'_> {
         ring: &mut Ring,
         energies: &mut [f64],
     ) {
-        let strain = (self.law.strain as &dyn Any).downcast_ref::<Logarithmic>();
         for (index, energy) in packs.zip(energies) {
             let RememberingPack { section, control } = &own[index];
             let (pack, energy) = (index..index + 1, std::slice::from_mut(energy));
             let yielding = Some(control);
-            let law = PointLaw { strain: self.law.strain, section, yielding };
+            let of_pack: &dyn StrainMeasure =
+                self.points.strains.get(index).map_or(self.law.strain, |own| own);
+            let strain = (of_pack as &dyn Any).downcast_ref::<Logarithmic>();
+            let law = PointLaw { strain: of_pack, section, yielding };
             match (strain.zip(section.yielding()), self.energy) {
                 (Some((strain, pack_of)), false) => {
                     let law = PointLaw { strain, section: &Yielding { pack: pack_of, registers }, yielding };
@@ -101,12 +103,12 @@ impl Work for Committing<'_> {
 
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) {
-        let strain = (self.strain as &dyn Any).downcast_ref::<Logarithmic>();
         for (i, pack) in self.packs.iter_mut().enumerate() {
             let place = self.first + i;
-            match strain {
+            let strain: &dyn StrainMeasure = self.points.strains.get(place).map_or(self.strain, |own| own);
+            match (strain as &dyn Any).downcast_ref::<Logarithmic>() {
                 Some(strain) => commit(self.points, registers, strain, self.state, place, pack),
-                None => commit(self.points, Baseline, self.strain, self.state, place, pack),
+                None => commit(self.points, Baseline, strain, self.state, place, pack),
             }
         }
     }

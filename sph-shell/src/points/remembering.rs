@@ -1,4 +1,4 @@
-//! Four points whose section has a memory: the history of the section, and that of the control that follows it.
+//! Four points of sections with a memory or without: the history of the sections, and that of the control that follows it.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use shell_kinematics::{HistoryPack, LANES, Pack, Section};
 
 use crate::control::yielding::YieldingControl;
 
-/// Four points of a section with memory.
+/// Four points with their history.
 #[derive(Clone, Debug)]
 pub(crate) struct RememberingPack {
     pub section: HistoryPack,

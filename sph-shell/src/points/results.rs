@@ -51,27 +51,36 @@ pub struct Yielded {
 }
 
 impl Shell {
-    /// Its section, if that yields.
-    pub fn plastic_section(&self) -> Option<&PlasticSection> {
-        (&*self.material.section as &dyn Any).downcast_ref()
+    /// Its sections that yield, that of cells in no region first.
+    pub fn plastic_sections(&self) -> impl Iterator<Item = &PlasticSection> {
+        let all = std::iter::once(&self.material.section).chain(self.material.regions.sections());
+        all.filter_map(|section| (&**section as &dyn Any).downcast_ref())
     }
 
-    /// What each sampling point has gone through, in the order of the reference's `operator.points`; empty where no section yields.
+    /// The section of a sampling point, if that yields.
+    pub fn plastic_section_at(&self, point: usize) -> Option<&PlasticSection> {
+        let section = self.material.regions.section(&self.material.section, point);
+        (&**section as &dyn Any).downcast_ref()
+    }
+
+    /// What each sampling point has gone through, in the order of the reference's `operator.points`, nothing where its section does not yield; empty
+    /// where none does.
     pub fn yielded(&self) -> Vec<Yielded> {
         let histories = self.points.sections.histories();
         let points = &self.reference.operator.points;
-        if histories.first().is_none_or(|pack| pack.section.tallies().is_none()) {
-            return Vec::new();
-        }
-        let mut out = vec![Yielded::default(); points.len()];
+        let mut out = Vec::new();
         for (pack, of) in histories.iter().zip(&self.points.packs.order) {
-            let Some(tallies) = pack.section.tallies() else { continue };
+            let Some(flowed) = pack.section.flowed() else { continue };
+            if out.is_empty() {
+                let nothing = |area| Yielded { thickness: 1.0, area, ..Yielded::default() };
+                out = points.iter().map(|point| nothing(point.weight)).collect();
+            }
             let found = [
-                tallies.plastic_strain(),
-                tallies.thickness(),
-                tallies.yielded_share(),
-                tallies.dissipated(),
-                tallies.hardened(),
+                flowed.plastic_strain,
+                flowed.thickness,
+                flowed.share,
+                flowed.dissipated,
+                flowed.hardened,
                 pack.control.work(),
             ]
             .map(Pack::lanes);
@@ -92,7 +101,7 @@ impl Shell {
         for (index, own) in self.points.sections.histories().iter().enumerate() {
             let point = self.points.point(index);
             let PointState { strains, control, .. } =
-                point.strained::<true, _>(self.material.strain, &self.motion.state);
+                point.strained::<true, _>(point.strain.unwrap_or(self.material.strain), &self.motion.state);
             sum += (own.section.energy(&strains) * point.pack.weight).sum();
             if let Some((cell, hourglass)) = &control {
                 sum += own.control.pulls(cell.stiffnesses(), hourglass.components()).1.sum();

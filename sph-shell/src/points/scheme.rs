@@ -41,7 +41,7 @@ pub(crate) enum Sections {
     Own(Vec<SectionPack>),
     /// The same, under stress before they are strained.
     Stressed(Vec<StressedPack>),
-    /// That of the shell, with the history of each point.
+    /// Those of its points with the history of each: where one has a memory, or is not linear beside others.
     Remembering(Vec<RememberingPack>),
 }
 

@@ -98,7 +98,7 @@ impl StaticBody for GalerkinSolid {
 
     fn warnings(&self) -> Vec<Warning> {
         let flowed = self.galerkin.flowed();
-        let beyond = beyond_data(self.data_until, flowed.iter().map(|[strain, _]| *strain));
+        let beyond = beyond_data(flowed.iter().filter_map(|[strain, _]| Some((*strain, self.data_until?))));
         large_strain(self.galerkin.greatest_strain(), !flowed.is_empty()).into_iter().chain(beyond).collect()
     }
 }

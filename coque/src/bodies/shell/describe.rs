@@ -93,7 +93,7 @@ fn lists(
     ];
     modelled.extend(surface.map(|surface| surface.line.clone()));
     let mut left_out: Vec<String> = match scene.shell.material {
-        Material::Plastic(_) => vec!["fracture".into()],
+        _ if scene.shell.yields() => vec!["fracture".into()],
         Material::Rubber(_) => ["plasticity", "fracture"].map(String::from).into(),
         _ => ["plasticity", "fracture", "change of thickness"].map(String::from).into(),
     };

@@ -49,6 +49,16 @@ impl SectionSpec {
         }
     }
 
+    /// The same, of another thickness \[L\]; plies stay as they are.
+    pub fn with_thickness(&self, thickness: f64) -> Self {
+        match self {
+            Self::Isotropic(material, _, points) => Self::Isotropic(*material, thickness, *points),
+            Self::Plastic(material, _, slices) => Self::Plastic(material.clone(), thickness, *slices),
+            Self::Rubber(material, _) => Self::Rubber(material.clone(), thickness),
+            Self::Layered(plies) => Self::Layered(plies.clone()),
+        }
+    }
+
     /// Young's modulus \[F/L²\] of one that is isotropic.
     pub fn young(&self) -> Option<f64> {
         match self {

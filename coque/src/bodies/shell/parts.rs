@@ -93,7 +93,7 @@ impl Builder<'_> {
         }
         let region = |UniformPart { cells, spec, density, height, axis, strain, .. }: UniformPart| {
             let section = self.section(&spec, &scope)?;
-            Ok(Region { cells, section, density, height, axis, strain: Some(strain) })
+            Ok(Region { cells, section: section.into(), density, height, axis, strain: Some(strain) })
         };
         let regions = all.into_iter().map(region).collect::<Result<_, SceneError>>()?;
         Ok(Sections { base, density, axis, strain, regions, areal, said })
@@ -147,6 +147,22 @@ impl Builder<'_> {
         let strain = self.strain(shell, at)?;
         match shell.material_section(at)? {
             MaterialSection::OfFile(..) => self.alike_in_file(shell, at, &cells, imported),
+            MaterialSection::Plastic(_, section) | MaterialSection::Rubber(_, section)
+                if section.varies() =>
+            {
+                let thicknesses = self.thicknesses(section, at, &cells, cloud)?;
+                let spec = self.spec(shell, at)?;
+                let one = |(cell, thickness): (u32, f64)| UniformPart {
+                    group: None,
+                    cells: vec![cell],
+                    spec: spec.with_thickness(thickness),
+                    density,
+                    height: 0.0,
+                    axis,
+                    strain,
+                };
+                Ok(cells.iter().copied().zip(thicknesses).map(one).collect())
+            }
             MaterialSection::Homogeneous(elastic, section)
                 if section.varies() || elastic.young_values.is_some() =>
             {
@@ -256,5 +272,10 @@ fn line(name: &str, offset: f64, all: &[UniformPart]) -> String {
     let young =
         if least < most { format!(", Young's modulus {least:.4e} to {most:.4e}") } else { String::new() };
     let offset = if offset == 0.0 { String::new() } else { format!(", offset {offset}") };
-    format!("part {name}: {cells}, thickness {thickness}{young}{offset}")
+    let law = match all.first().map(|uniform| &uniform.spec) {
+        Some(SectionSpec::Plastic(_, _, slices)) => format!(", yields, {slices} slices"),
+        Some(SectionSpec::Rubber(..)) => ", rubber".into(),
+        _ => String::new(),
+    };
+    format!("part {name}: {cells}, thickness {thickness}{young}{law}{offset}")
 }

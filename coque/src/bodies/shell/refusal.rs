@@ -73,7 +73,7 @@ impl Builder<'_> {
             ShellError::TwoRegions { .. } => of_body("parts"),
             ShellError::StressAxis { number, .. } => of_body(&format!("initial_stress[{number}].axis")),
             ShellError::StressOfWideStencils => of_body("initial_stress"),
-            ShellError::Memory(_) => of_body("section"),
+            ShellError::OwnLaw(_) => of_body("section"),
             ShellError::Mass { .. } => of_body("masses"),
             ShellError::Spring { .. }
             | ShellError::SpringOnItself { .. }

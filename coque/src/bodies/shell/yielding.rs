@@ -18,10 +18,10 @@ pub(super) fn yielding(shell: &Shell) -> Vec<Yielding> {
     if of_cells.is_empty() {
         return Vec::new();
     }
-    let thickness = shell.thickness();
     let mut out =
         vec![Yielding { plastic_strain: 0.0, thickness: f64::INFINITY, dissipated: 0.0 }; shell.len()];
-    for (cell, own) in shell.reference().cloud.cells.iter().zip(&of_cells) {
+    for (number, (cell, own)) in shell.reference().cloud.cells.iter().zip(&of_cells).enumerate() {
+        let thickness = shell.section_at(number).thickness;
         for &a in cell.particles() {
             let of = &mut out[a as usize];
             of.plastic_strain = of.plastic_strain.max(own.plastic_strain);
@@ -36,8 +36,9 @@ pub(super) fn yielding(shell: &Shell) -> Vec<Yielding> {
 pub(super) fn warnings(shell: &Shell) -> Vec<Warning> {
     let of_cells = shell.yielded();
     let mut out = Vec::new();
-    let data = shell.plastic_section().and_then(|section| section.data_until());
-    out.extend(beyond_data(data, of_cells.iter().map(|own| own.plastic_strain)));
+    out.extend(beyond_data(of_cells.iter().enumerate().filter_map(|(cell, own)| {
+        Some((own.plastic_strain, shell.plastic_section_at(cell)?.data_until()?))
+    })));
     out.extend(necking(shell, &of_cells));
     let control: f64 = of_cells.iter().map(|own| own.control).sum();
     let work = shell.internal_work();
@@ -56,13 +57,15 @@ pub(super) fn warnings(shell: &Shell) -> Vec<Warning> {
 
 /// Cells that are drawn thin and harden by less than they lose in thickness (Considère's criterion, K' < K): from there a strip gives way in one place.
 fn necking(shell: &Shell, of_cells: &[Yielded]) -> Option<Warning> {
-    let section = shell.plastic_section()?;
-    let gives_way = |own: &&Yielded| {
-        let [stress, slope] = section.yield_at(own.plastic_strain);
-        own.thickness < 1.0 - THIN && slope < stress
+    let gives_way = |(cell, own): &(usize, &Yielded)| {
+        own.thickness < 1.0 - THIN
+            && shell.plastic_section_at(*cell).is_some_and(|section| {
+                let [stress, slope] = section.yield_at(own.plastic_strain);
+                slope < stress
+            })
     };
     let (mut count, mut least) = (0, 1.0_f64);
-    for own in of_cells.iter().filter(gives_way) {
+    for (_, own) in of_cells.iter().enumerate().filter(gives_way) {
         (count, least) = (count + 1, least.min(own.thickness));
     }
     let message = format!(

@@ -15,12 +15,13 @@ use crate::warning::{Warning, WarningKind};
 type Rule = (WarningKind, fn(&Look<'_>) -> Option<String>);
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 5] = [
+const RULES: [Rule; 6] = [
     (WarningKind::OddHorizon, odd_horizon),
     (WarningKind::FlatCells, flat_cells),
     (WarningKind::FewLayers, few_layers),
     (WarningKind::ThinLayer, thin_layer),
     (WarningKind::LoadedFace, loaded_face),
+    (WarningKind::SoftSkin, soft_skin),
 ];
 
 /// What the rules look at.
@@ -206,6 +207,17 @@ fn loaded_face(look: &Look<'_>) -> Option<String> {
                 100.0 * part
             )
         })
+    })
+}
+
+/// Nodes near a face lack bonds; without a correction the skin through which a body is touched is soft.
+fn soft_skin(look: &Look<'_>) -> Option<String> {
+    let uncorrected = !look.body.has_directors() && look.body.correction() == Correction::None;
+    let named = look.scene.scene.contact.iter().any(|contact| contact.is_of(look.scene.name));
+    (uncorrected && (named || !look.body.tools.is_empty())).then(|| {
+        "bonds without a correction are soft at the skin, through which the body is touched: forces, half widths and greatest pressures of drums on \
+         blocks come out 10 to 27 % off; leave `correction` out, or use \"energy-factor\""
+            .to_string()
     })
 }
 

@@ -125,7 +125,7 @@ fn check_explicit(scene: &BodyInScene<'_>, explicit: &Explicit) -> Verdict {
 
 /// Whether levels may fall as well: where what a body went through is left when it is let go.
 fn may_fall(scene: &BodyInScene<'_>) -> bool {
-    let yields = scene.as_shell().is_some_and(|shell| shell.material.yields())
+    let yields = scene.as_shell().is_some_and(|shell| shell.yields())
         || scene.as_solid().is_some_and(|solid| solid.material.yields());
     matches!(scene.analysis, Analysis::Static(_)) && yields
 }

@@ -82,7 +82,7 @@ fn check_face_of_stress(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Ve
         layered(shell) || (0..shell.parts.len()).any(|part| layered(&shell.in_part(part)))
     };
     if stress && scene.as_shell().is_some_and(of_shell) {
-        let [bound, repair] = match scene.as_shell().is_some_and(|shell| shell.material.yields()) {
+        let [bound, repair] = match scene.as_shell().is_some_and(ShellScene::yields) {
             true => [
                 "`membrane-force`, `bending-moment`, `shear-force` or `plastic-strain` where a material yields",
                 "measure section forces: stresses do not run linearly through the thickness",
@@ -193,7 +193,7 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     if rubbed || scene.scene.contact.iter().any(rubs) {
         known.push(FrictionLoss);
     }
-    if scene.as_shell().is_some_and(|shell| shell.material.yields()) {
+    if scene.as_shell().is_some_and(ShellScene::yields) {
         known.extend([PlasticStrain, Thickness, PlasticWork]);
     }
     if solid.is_some() {

@@ -72,6 +72,12 @@ impl ShellScene {
         self.formulation.curvature().unwrap_or_else(|| self.material.curvature().unwrap_or(STRETCH_CORRECTED))
     }
 
+    /// Whether it yields, or one of its parts does.
+    pub(crate) fn yields(&self) -> bool {
+        let of_parts = self.parts.iter().filter_map(|part| part.material.as_ref());
+        std::iter::once(&self.material).chain(of_parts).any(Material::yields)
+    }
+
     /// Whether a fluid wets both of its faces.
     pub(crate) fn wets_both(&self) -> bool {
         self.wet.unwrap_or_default() == WetFaces::Both

@@ -141,7 +141,7 @@ const SLICES: usize = 5;
 
 /// Few slices of a section that yields.
 pub(super) fn few_slices(look: &Look<'_>) -> Option<String> {
-    let slices = look.shell.plastic_section()?.fewest_slices();
+    let slices = look.shell.plastic_sections().map(|section| section.fewest_slices()).min()?;
     (slices < SLICES).then(|| {
         format!(
             "{slices} slices through the thickness: bending moments past the yield may be off by 6 % and more (six slices 2.7 %, ten 1 %); use \

@@ -18,7 +18,7 @@ impl ShellScene {
         if let Some(anisotropy) = &plastic.anisotropy {
             s.direction("material.plastic.anisotropy.axis", anisotropy.axis)?;
         }
-        self.check_even_section("a material that yields", "give `slices` in its place: 6 are usual", s)
+        self.check_own_section("a material that yields", "give `slices` in its place: 6 are usual", s)
     }
 
     /// The rows of rubber, and the section beside it.
@@ -41,25 +41,15 @@ impl ShellScene {
                 }
             }
         }
-        self.check_even_section("rubber", "remove it: rubber has three", s)
+        self.check_own_section("rubber", "remove it: rubber has three", s)
     }
 
-    /// One thickness, without Gauss points of an elastic material.
-    fn check_even_section(&self, of: &str, without: &str, s: &Scope<'_>) -> Verdict {
+    /// None of the Gauss points of an elastic material.
+    fn check_own_section(&self, of: &str, without: &str, s: &Scope<'_>) -> Verdict {
         let Section::Homogeneous(section) = &self.section else { return Ok(()) };
-        let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
-            Err(SceneError::Choice(s.fault(&format!("section.homogeneous.{key}"), value, bound, repair)))
-        };
         if section.gauss_points.is_some() {
-            return refuse("gauss_points", "Gauss points", &format!("none of {of}"), without);
-        }
-        if section.varies() {
-            let key = match (&section.taper, &section.table) {
-                (Some(_), _) => "taper",
-                (_, Some(_)) => "table",
-                _ => "values",
-            };
-            return refuse(key, "a thickness that varies", &format!("one thickness of {of}"), "remove it");
+            let (path, bound) = ("section.homogeneous.gauss_points", format!("none of {of}"));
+            return Err(SceneError::Choice(s.fault(path, "Gauss points", &bound, without)));
         }
         Ok(())
     }
@@ -106,26 +96,26 @@ fn check_table(rows: &[[f64; 2]], s: &Scope<'_>) -> Verdict {
     Ok(())
 }
 
-/// Refuses materials with a law of their own where it does not hold: one that yields where nothing keeps what its points went through.
+/// Refuses materials with a law of their own, of the shell or of a part, where it does not hold: one that yields where nothing keeps what its points went
+/// through.
 pub(super) fn check_own_law(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Scope<'_>) -> Verdict {
-    let wants =
-        |shell: &ShellScene| shell.material.curvature().map(|measure| (shell.material.word(), measure));
-    let in_parts = (0..shell.parts.len()).find_map(|i| wants(&shell.in_part(i)).map(|found| (i, found)));
+    check_law_of(scene, shell, "", s)?;
+    for i in (0..shell.parts.len()).filter(|&i| shell.parts[i].material.is_some()) {
+        check_law_of(scene, &shell.in_part(i), &format!("parts[{i}]."), s)?;
+    }
+    Ok(())
+}
+
+/// The same for one of them, whose material stands below a key.
+fn check_law_of(scene: &BodyInScene<'_>, shell: &ShellScene, below: &str, s: &Scope<'_>) -> Verdict {
+    let Some(measure) = shell.material.curvature() else { return Ok(()) };
     let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
         Err(SceneError::Choice(s.fault(path, value, bound, repair)))
     };
-    let Some((word, measure)) = wants(shell) else {
-        let Some((i, (word, _))) = in_parts else { return Ok(()) };
-        let repair = "give the whole shell one material and one section";
-        return refuse(&format!("parts[{i}].material.{word}"), word, "none in a part", repair);
-    };
-    let path = format!("material.{word}");
-    let of = format!("[material.{word}]");
-    if shell.has_parts() {
-        let (bound, repair) =
-            (format!("none beside {of}"), "give the whole shell one material and one section");
-        return refuse(shell.key_of_parts(), "sections of their own in cells", &bound, repair);
-    }
+    let (path, of) = (
+        format!("{below}material.{}", shell.material.word()),
+        format!("[material.{}]", shell.material.word()),
+    );
     if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
         let bound = "none but where strains are sampled in cells";
         let repair = "use [formulation.stress-point] without `support`, the default";
@@ -133,8 +123,12 @@ pub(super) fn check_own_law(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Sco
     }
     if shell.curvature() != measure {
         let (value, bound) = (format!("\"{}\"", shell.curvature()), format!("\"{measure}\" beside {of}"));
-        let repair = format!("remove it, or write \"{measure}\"");
-        return refuse("formulation.stress-point.curvature", &value, &bound, &repair);
+        let repair = if below.is_empty() {
+            format!("remove it, or write \"{measure}\"")
+        } else {
+            format!("give the part formulation.stress-point.curvature = \"{measure}\"")
+        };
+        return refuse(&path_of_curvature(scene, below), &value, &bound, &repair);
     }
     if !shell.initial_stress.is_empty() {
         let (bound, repair) = (format!("none in {of}"), "remove it, or make the material elastic");
@@ -147,4 +141,15 @@ pub(super) fn check_own_law(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Sco
         return refuse(&path, &of, &bound, repair);
     }
     Ok(())
+}
+
+/// Where the strain measure stands: with the part, if it has one of its own, else with the shell.
+fn path_of_curvature(scene: &BodyInScene<'_>, below: &str) -> String {
+    let own = scene.as_shell().is_some_and(|shell| {
+        (0..shell.parts.len()).any(|i| {
+            below == format!("parts[{i}].")
+                && shell.parts[i].formulation.as_ref().is_some_and(|own| own.curvature().is_some())
+        })
+    });
+    format!("{}formulation.stress-point.curvature", if own { below } else { "" })
 }
