@@ -91,10 +91,10 @@ impl MixedSection {
         }
         // Columns first, then rows.
         for i in 0..8 {
-            (0..3).for_each(|j| out[i][3 + j] = out[i][3 + j] + out[i][j] * self.heights);
+            (0..3).for_each(|j| out[i][3 + j] += out[i][j] * self.heights);
         }
         for i in 0..3 {
-            (0..8).for_each(|j| out[3 + i][j] = out[3 + i][j] + out[i][j] * self.heights);
+            (0..8).for_each(|j| out[3 + i][j] += out[i][j] * self.heights);
         }
         out
     }

@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 38] = [
+const SCENES: [(&str, Replaced); 39] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -57,6 +57,7 @@ const SCENES: [(&str, Replaced); 38] = [
     ("hemisphere-yielding.toml", &YIELDING),
     ("tube-inflating.toml", &[("analysis.static.levels", "4")]),
     ("../coque/tests/yielding/struck.toml", &[("analysis.explicit.transient.duration", "0.002")]),
+    ("../coque/tests/yielding/struck-in-parts.toml", &[("analysis.explicit.transient.duration", "0.002")]),
     ("../coque/tests/metamorphic/difference.toml", &[]),
     ("../coque/tests/metamorphic/bent.toml", &[]),
     ("plate-clamped-solid.toml", &[]),
