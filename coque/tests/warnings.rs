@@ -19,7 +19,7 @@ fn words(name: &str, replaced: Replaced) -> Vec<WarningKind> {
     model.warnings().iter().map(|warning| warning.kind).collect()
 }
 
-/// What scenes raise all the same: the sled has few cells, and slides without turning; the block is to break, and bonds that break take no correction.
+/// What scenes raise all the same: the sled has few cells, and slides without turning; the block that breaks has no correction.
 const RAISED: [(&str, WarningKind); 2] =
     [("plate-on-plate.toml", WarningKind::ScaledInertia), ("fragments-on-shell.toml", WarningKind::SoftSkin)];
 
