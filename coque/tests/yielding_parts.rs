@@ -100,6 +100,21 @@ fn a_part_that_never_yields_is_elastic() {
     }
 }
 
+#[test]
+fn parts_of_one_rubber_are_the_whole() {
+    let rubber = "{ rubber = { density = 1.1e-9, law = { neo-hooke = { c1 = 0.5 } } } }";
+    let levels = ("analysis.static.levels", "4");
+    let half = ("sets.half.box", "{ min = [-1e9, -1e9, 0.0], max = [1e9, 1e9, 50.0] }");
+    let with = |parts: &str| {
+        let all = [("material", rubber), levels, half, ("parts", parts)];
+        column(&done("tube-inflating.toml", if parts.is_empty() { &all[..3] } else { &all }), "r")
+    };
+    let (whole, parts) = (with(""), with(&part(rubber)));
+    println!("{whole:?} {parts:?}");
+    assert!(whole[4] > 1.2 * whole[0], "{whole:?}");
+    whole.iter().zip(&parts).for_each(|(a, b)| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}"));
+}
+
 /// An elastic shell with a part that yields has two strain measures; they agree while the elastic half is little strained.
 #[test]
 fn measures_may_differ_from_part_to_part() {
@@ -271,7 +286,8 @@ fn what_a_part_cannot_have() {
     };
     let wrong = measure("stretch-corrected");
     let yields = part(&soft);
-    let cases: [(&str, &str, Replaced); 4] = [
+    let measured = "[{ on = 'half', formulation = { stress-point = { curvature = 'green-lagrange' } } }]";
+    let cases: [(&str, &str, Replaced); 5] = [
         ("another measure than its own", PULLED, &[RIGHT, ("parts", &wrong)]),
         (
             "the measure of the shell",
@@ -282,6 +298,7 @@ fn what_a_part_cannot_have() {
                 ("parts", &yields),
             ],
         ),
+        ("a measure of its own for the material of the shell", PULLED, &[RIGHT, ("parts", measured)]),
         ("a linear analysis", "plate-clamped.toml", &[RIGHT, ("parts", &yields)]),
         (
             "an initial stress",

@@ -100,7 +100,7 @@ fn check_table(rows: &[[f64; 2]], s: &Scope<'_>) -> Verdict {
 /// through.
 pub(super) fn check_own_law(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Scope<'_>) -> Verdict {
     check_law_of(scene, shell, "", s)?;
-    for i in (0..shell.parts.len()).filter(|&i| shell.parts[i].material.is_some()) {
+    for i in 0..shell.parts.len() {
         check_law_of(scene, &shell.in_part(i), &format!("parts[{i}]."), s)?;
     }
     Ok(())
