@@ -13,9 +13,10 @@
 //! and the strain `e + ζκ` gives `N = Ae + Bκ`, `M = Be + Dκ` with `A, B, D = Σ ∫ Q̄ (1, ζ, ζ²) dζ`.
 
 use crate::pack::Pack;
-use crate::section::{MaterialError, SHEAR_CORRECTION, Section, SectionScales, linear_tangent};
+use crate::section::{Isotropic, MaterialError, Section, SectionScales, linear_tangent};
 use crate::strains::{Resultants, Strains};
 use crate::tangent::Matrix8;
+use crate::transverse_shear::{Sheared, shear_correction};
 
 /// Symmetric 3×3 matrix over the components 11, 22, 12 (the last as engineering shear).
 type Matrix3 = [[f64; 3]; 3];
@@ -62,8 +63,21 @@ impl Orthotropic {
         Ok(Self { along, across, poisson, shear, shear_across })
     }
 
+    /// One that is the same in all directions.
+    pub(crate) fn isotropic(material: &Isotropic) -> Self {
+        let (young, shear) = (material.young, material.shear());
+        Self { along: young, across: young, poisson: material.poisson, shear, shear_across: shear }
+    }
+
+    /// As far as the transverse shear of a ply of a thickness \[L\] goes: means over all directions.
+    fn sheared(&self, thickness: f64) -> Sheared {
+        let [q11, q22, q12, q66] = self.plane_stress();
+        let stretch = (3.0 * (q11 + q22) + 2.0 * q12 + 4.0 * q66) / 8.0;
+        Sheared { stretch, shear: 0.5 * (self.shear + self.shear_across), thickness }
+    }
+
     /// `[Q11, Q22, Q12, Q66]` in the axes of the fibre \[F/L²\].
-    fn plane_stress(&self) -> [f64; 4] {
+    pub(crate) fn plane_stress(&self) -> [f64; 4] {
         let ratio = self.across / self.along;
         let q11 = self.along / (1.0 - self.poisson * self.poisson * ratio);
         [q11, q11 * ratio, q11 * ratio * self.poisson, self.shear]
@@ -123,10 +137,8 @@ pub struct Ply {
 
 /// Plies on one another, bent by one director.
 ///
-/// Transverse shear is the simple rule `Q = (5/6) Σ t_k Ḡ_k γ`: one shear strain for all plies, and Reissner's factor of
-/// the homogeneous section. It is exact for equal plies. Where shear moduli differ from ply to ply the true shear stress
-/// is continuous and the true stiffness lower, for a soft core by as much as the ratio of the moduli: such sandwiches
-/// want a factor of their own. On thin laminates, where shear does little, the rule does not matter.
+/// Transverse shear is `Q = k Σ t_k Ḡ_k γ`: one shear strain for all plies, and one factor by which the energy is that of the shear stress of
+/// bending, 5/6 of plies of one material, small where a soft core lies between stiff faces (transverse_shear.rs).
 #[derive(Clone, Copy, Debug)]
 pub struct LayeredSection {
     /// A \[F/L\].
@@ -160,6 +172,8 @@ impl LayeredSection {
         let thickness: f64 = plies.iter().map(|ply| ply.thickness).sum();
         let [mut membrane, mut coupling, mut bending] = [[[0.0; 3]; 3]; 3];
         let mut shear = [[0.0; 2]; 2];
+        let sheared: Vec<Sheared> = plies.iter().map(|ply| ply.material.sheared(ply.thickness)).collect();
+        let correction = shear_correction(&sheared);
         let mut bottom = -0.5 * thickness;
         for ply in plies {
             let (plane, across) = ply.material.rotated(ply.angle);
@@ -169,7 +183,7 @@ impl LayeredSection {
             for (matrix, moment) in [&mut membrane, &mut coupling, &mut bending].into_iter().zip(moments) {
                 add(matrix, &plane, moment);
             }
-            add(&mut shear, &across, SHEAR_CORRECTION * t);
+            add(&mut shear, &across, correction * t);
             bottom += t;
         }
         let stiffest = plies.iter().fold(0.0_f64, |most, ply| most.max(ply.material.stiffest()));
@@ -180,6 +194,13 @@ impl LayeredSection {
             membrane: stiffest * thickness,
         };
         Ok(Self { membrane, coupling, bending, shear, scales })
+    }
+}
+
+impl LayeredSection {
+    /// Transverse shear stiffness \[F/L\].
+    pub(crate) fn transverse_shear(&self) -> &[[f64; 2]; 2] {
+        &self.shear
     }
 }
 

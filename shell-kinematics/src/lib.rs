@@ -79,7 +79,7 @@
 //! ```text
 //! IsotropicSection    N = t C e    M = t³/12 C κ    Q = (5/6) G t γ      C = E/(1−ν²) [[1,ν,0],[ν,1,0],[0,0,(1−ν)/2]]
 //! IntegratedSection   N = Σ w C (e + ζκ)    M = Σ w ζ C (e + ζκ)          Gauss points ζ with weights w
-//! LayeredSection      N = A e + B κ    M = B e + D κ    A, B, D = Σ_k ∫ Q̄_k (1, ζ, ζ²) dζ    Q = (5/6) Σ_k t_k Ḡ_k γ
+//! LayeredSection      N = A e + B κ    M = B e + D κ    A, B, D = Σ_k ∫ Q̄_k (1, ζ, ζ²) dζ    Q = k Σ_k t_k Ḡ_k γ
 //! ```
 //!
 //! Here ζ runs through the thickness, 5/6 is Reissner's factor of the homogeneous section. Plies are orthotropic in
@@ -223,10 +223,11 @@ mod strain_pack;
 mod strains;
 mod stressed_pack;
 mod tangent;
+mod transverse_shear;
 
 pub use history_pack::{Commit, Flowed, HistoryPack, YieldingPack};
 pub use inelastic::{
-    Hardening, Plastic, PlasticPly, PlasticSection, RValues, Rubber, RubberSection, Tallies,
+    Hardening, Plastic, PlasticPly, PlasticSection, PlyMaterial, RValues, Rubber, RubberSection, Tallies,
 };
 pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use shell_kinematics::{
     Hardening, HistoryPack, Isotropic, IsotropicSection, LANES, MixedSection, Pack, Plastic, PlasticPly,
-    PlasticSection, Resultants, Rubber, RubberSection, Section, Strains,
+    PlasticSection, PlyMaterial, Resultants, Rubber, RubberSection, Section, Strains,
 };
 
 fn elastic() -> Isotropic {
@@ -71,9 +71,12 @@ fn each_point_answers_as_in_a_pack_of_its_own() {
 #[test]
 fn a_raised_section_is_half_of_one_with_an_empty_ply_below() {
     // Two plies, the lower of which bears next to nothing, about the middle of both.
-    let weak = Plastic::new(Isotropic::new(1e-9, 0.3).unwrap(), Hardening::linear(1.0, 0.0).unwrap());
-    let ply =
-        |material: &Plastic| PlasticPly { material: material.clone(), thickness: 0.2, angle: 0.0, slices: 5 };
+    let weak = Plastic::new(Isotropic::new(1e-12, 0.3).unwrap(), Hardening::linear(1.0, 0.0).unwrap());
+    let ply = |material: &Plastic| PlasticPly {
+        material: PlyMaterial::Plastic(material.clone(), 5),
+        thickness: 0.2,
+        angle: 0.0,
+    };
     let both = PlasticSection::layered(&[ply(&weak), ply(&plastic(0.1))]).unwrap();
     let one: Arc<dyn Section> = Arc::new(PlasticSection::new(plastic(0.1), 0.2, 5).unwrap());
     let raised = MixedSection::new(std::array::from_fn(|_| Arc::clone(&one)), [0.1; LANES]);

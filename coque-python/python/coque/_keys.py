@@ -159,7 +159,7 @@ if TYPE_CHECKING:
     Plastic = TypedDict("Plastic", {"anisotropy": NotRequired["Anisotropy"], "density": float, "hardening": "Hardening", "kinematic": NotRequired[float], "poisson": float, "young": float})
     Plate = TypedDict("Plate", {"disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[float]], "lengths": Sequence[float], "particles": NotRequired[Sequence[int]], "scattered": NotRequired["Scattered"]})
     Plot = TypedDict("Plot", {"x": str, "y": str})
-    Ply = TypedDict("Ply", {"angle": float, "thickness": float})
+    Ply = TypedDict("Ply", {"angle": float, "material": NotRequired["Material"], "slices": NotRequired[int], "thickness": float})
     Polygon = TypedDict("Polygon", {"corners": Sequence[Sequence[float]]})
     Polyline = TypedDict("Polyline", {"points": Sequence[Sequence[float]], "side": "LineSide"})
     Prebuckling: TypeAlias = Union[Literal['rotations'], Literal['stress']]

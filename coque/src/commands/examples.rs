@@ -35,10 +35,11 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 78] = [
+const EXAMPLES: [Example; 83] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
+    Example::new("balloon-inflating", 0.5, include_str!("../../../scenes/meshes/balloon-inflating.toml")),
     Example::new("block-on-flat", 0.1, include_str!("../../../scenes/block-on-flat.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-on-flat", 1.0, include_str!("../../../scenes/cantilever-on-flat.toml")),
@@ -47,11 +48,14 @@ const EXAMPLES: [Example; 78] = [
     Example::new("clamped-cap", 2.0, include_str!("../../../scenes/clamped-cap.toml")),
     Example::new("column-between-tools", 0.1, include_str!("../../../scenes/column-between-tools.toml")),
     Example::new("column-buckling", 0.1, include_str!("../../../scenes/column-buckling.toml")),
+    Example::new("column-yielding", 0.2, include_str!("../../../scenes/column-yielding.toml")),
+    Example::new("cook-yielding", 1.0, include_str!("../../../scenes/meshes/cook-yielding.toml")),
     Example::new("crack-branching", 3.0, include_str!("../../../scenes/crack-branching.toml")),
     Example::new("cylinder-bursting", 6.0, include_str!("../../../scenes/cylinder-bursting.toml")),
     Example::new("cylinder-pressure", 0.2, include_str!("../../../scenes/cylinder-pressure.toml")),
     Example::new("cylinder-yielding", 4.0, include_str!("../../../scenes/cylinder-yielding.toml")),
     Example::new("dam-break", 3.0, include_str!("../../../scenes/dam-break.toml")),
+    Example::new("disc-yielding", 0.5, include_str!("../../../scenes/meshes/disc-yielding.toml")),
     Example::new("drum-on-block", 4.0, include_str!("../../../scenes/drum-on-block.toml")),
     Example::new("drum-on-bonds", 2.0, include_str!("../../../scenes/drum-on-bonds.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
@@ -108,6 +112,7 @@ const EXAMPLES: [Example; 78] = [
         0.1,
         include_str!("../../../scenes/meshes/stiffened-panel-gmsh.toml"),
     ),
+    Example::new("strip-fibre-metal", 0.1, include_str!("../../../scenes/strip-fibre-metal.toml")),
     Example::new("strip-lifted", 1.0, include_str!("../../../scenes/strip-lifted.toml")),
     Example::new("strip-necking", 0.1, include_str!("../../../scenes/strip-necking.toml")),
     Example::new("strip-over-drum", 1.0, include_str!("../../../scenes/strip-over-drum.toml")),
@@ -125,7 +130,10 @@ const EXAMPLES: [Example; 78] = [
 ];
 
 /// What is written beside an example on a mesh: the ending of its name, and what it holds.
-const FILES: [(&str, &str, &str); 7] = [
+const FILES: [(&str, &str, &str); 10] = [
+    ("balloon-inflating", "inp", include_str!("../../../scenes/meshes/balloon-inflating.inp")),
+    ("cook-yielding", "inp", include_str!("../../../scenes/meshes/cook-yielding.inp")),
+    ("disc-yielding", "inp", include_str!("../../../scenes/meshes/disc-yielding.inp")),
     ("flanged-bracket", "geo", include_str!("../../../scenes/meshes/flanged-bracket.geo")),
     ("flanged-bracket", "msh", include_str!("../../../scenes/meshes/flanged-bracket.msh")),
     ("stiffened-panel-abaqus", "inp", include_str!("../../../scenes/meshes/stiffened-panel-abaqus.inp")),

@@ -69,14 +69,14 @@ pub use shell::geometry::{
     Cylinder, Disorder, Geometry, Orientation, Placed, Placing, Plate, Scattered, Sphere, Twisted,
 };
 pub use shell::initial_stress::InitialStress;
-pub(crate) use shell::material::MaterialSection;
-pub use shell::material::{
-    Elastic, Homogeneous, Layered, Material, OfFile, Orthotropic, Ply, Section, Taper, ThicknessTable,
-};
+pub use shell::material::{Elastic, Material, OfFile, Orthotropic};
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
 pub use shell::plastic::{Anisotropy, Hardening, Linear as LinearHardening, Plastic, Swift, Voce};
+pub use shell::plies::{Layered, Ply};
 pub use shell::rubber::{MooneyRivlin, NeoHooke, Rubber, RubberLaw};
+pub(crate) use shell::section::MaterialSection;
+pub use shell::section::{Homogeneous, Section, Taper, ThicknessTable};
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};

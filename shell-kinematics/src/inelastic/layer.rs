@@ -1,4 +1,4 @@
-//! A ply of a section that yields: its law, its points, and their strains.
+//! A ply of a section that yields: its law, if it yields itself, its points, and their strains.
 
 use super::functions::three;
 use super::modes::Modes;
@@ -14,10 +14,11 @@ pub(super) const OF_SLICE: usize = 4;
 /// One ply with its points.
 #[derive(Clone, Debug)]
 pub(super) struct Layer {
-    pub law: PointLaw,
+    /// None where it is elastic.
+    pub law: Option<PointLaw>,
     pub modes: Modes,
     pub slices: Vec<Slice>,
-    /// The place of its first number in a history.
+    /// The place of its first number in a history, if it has any.
     pub first: usize,
     /// `∂ ln λ₃/∂x` and `∂ ln λ₃/∂e_p` of the ply alone.
     pub thinning: [[f64; 3]; 2],
@@ -46,7 +47,12 @@ impl Layer {
         }
     }
 
-    /// Its points, each with the place of its numbers in a history.
+    /// How many numbers of a history it has.
+    pub fn numbers(&self) -> usize {
+        if self.law.is_some() { OF_SLICE * self.slices.len() } else { 0 }
+    }
+
+    /// Its points, each with the place of its numbers in a history, if it yields.
     #[inline(always)]
     pub fn points(&self) -> impl Iterator<Item = (&Slice, usize)> {
         self.slices.iter().enumerate().map(|(i, slice)| (slice, self.first + OF_SLICE * i))

@@ -5,6 +5,7 @@ mod hardening;
 mod hill;
 mod layer;
 mod modes;
+mod ply;
 mod return_map;
 mod rubber;
 mod rubber_section;
@@ -16,7 +17,8 @@ mod thickness;
 
 pub use hardening::Hardening;
 pub use hill::RValues;
+pub use ply::{Plastic, PlasticPly, PlyMaterial};
 pub use rubber::Rubber;
 pub use rubber_section::RubberSection;
-pub use section::{Plastic, PlasticPly, PlasticSection};
+pub use section::PlasticSection;
 pub use tallies::Tallies;

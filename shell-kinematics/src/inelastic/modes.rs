@@ -7,6 +7,7 @@
 //! ```
 
 use super::functions::three;
+use crate::layered_section::Orthotropic;
 use crate::pack::Number;
 use crate::section::Isotropic;
 
@@ -28,6 +29,17 @@ impl Modes {
         Self {
             basis: [[mean, root, 0.0], [mean, -root, 0.0], [0.0, 0.0, root]],
             yielding: [young / (3.0 * (1.0 - poisson)), 2.0 * shear, 2.0 * shear],
+        }
+    }
+
+    /// Those of elasticity alone, in the axes of its fibre: V of `C = V Vᵀ`, lower; no criterion.
+    pub fn of_fibre(elastic: &Orthotropic) -> Self {
+        let [q11, q22, q12, q66] = elastic.plane_stress();
+        let first = q11.sqrt();
+        let below = q12 / first;
+        Self {
+            basis: [[first, 0.0, 0.0], [below, (q22 - below * below).sqrt(), 0.0], [0.0, 0.0, q66.sqrt()]],
+            yielding: [0.0; 3],
         }
     }
 

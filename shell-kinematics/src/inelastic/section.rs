@@ -1,17 +1,15 @@
-//! A section that yields: plies of equal slices, with the plastic strain of each, the thickness and the stretch as memory.
+//! A section of plies some of which yield: equal slices, with the plastic strain of each, the thickness and the stretch as memory.
 
 use super::functions::three;
-use super::hardening::{Hardening, not_negative};
-use super::hill::RValues;
 use super::layer::{Layer, OF_SLICE};
-use super::modes::Modes;
+use super::ply::{Plastic, PlasticPly, PlyMaterial};
 use super::return_map::PointLaw;
-use super::slices::{Slice, slices};
+use super::slices::Slice;
 use super::thickness::{self, Lever};
-use crate::layered_section::{LayeredSection, Orthotropic, Ply};
+use crate::layered_section::{LayeredSection, Ply};
 use crate::memory::Memory;
 use crate::pack::{Number, Pack};
-use crate::section::{Isotropic, MaterialError, Section, SectionScales};
+use crate::section::{MaterialError, Section, SectionScales};
 use crate::strains::{Resultants, Strains};
 use crate::tangent::Matrix8;
 
@@ -20,65 +18,10 @@ pub(super) const OF_SECTION: usize = thickness::NUMBERS + 1;
 /// The least share χ that a step keeps: what a control of zero-energy modes needs to leave no mode without stiffness.
 const LEAST_KEPT: f64 = 0.02;
 
-/// Isotropic elasticity with von Mises' yield criterion or Hill's, and associated flow.
-#[derive(Clone, Debug)]
-pub struct Plastic {
-    elastic: Isotropic,
-    hardening: Hardening,
-    kinematic: f64,
-    modes: Modes,
-}
-
-impl Plastic {
-    /// Von Mises' criterion with isotropic hardening alone.
-    pub fn new(elastic: Isotropic, hardening: Hardening) -> Self {
-        Self { elastic, hardening, kinematic: 0.0, modes: Modes::von_mises(&elastic) }
-    }
-
-    /// What it is as long as nothing flows.
-    pub fn elastic(&self) -> &Isotropic {
-        &self.elastic
-    }
-
-    /// The same with linear kinematic hardening beside it: in uniaxial tension the back stress grows by H_k \[F/L²\] a plastic strain.
-    ///
-    /// # Errors
-    /// [`MaterialError::Constant`] unless H_k is zero or positive, and finite.
-    pub fn kinematic(self, modulus: f64) -> Result<Self, MaterialError> {
-        Ok(Self { kinematic: not_negative("the modulus of kinematic hardening", modulus)?, ..self })
-    }
-
-    /// The same with Hill's criterion in place of von Mises', in the axes of its ply.
-    pub fn anisotropic(self, r: RValues) -> Self {
-        Self { modes: Modes::hill(&self.elastic, &r), ..self }
-    }
-}
-
-/// One ply of a [`PlasticSection`].
-#[derive(Clone, Debug)]
-pub struct PlasticPly {
-    /// What it is made of.
-    pub material: Plastic,
-    /// Thickness \[L\].
-    pub thickness: f64,
-    /// Angle of its first axis from the first axis of the point's frame, positive towards the second \[rad\].
-    pub angle: f64,
-    /// Points through its thickness, at least 2.
-    pub slices: usize,
-}
-
-/// A ply as long as nothing flows.
-fn elastic_ply(ply: &PlasticPly) -> Result<Ply, MaterialError> {
-    let Isotropic { young, poisson } = ply.material.elastic;
-    let shear = ply.material.elastic.shear();
-    let material = Orthotropic::new(young, young, poisson, shear, shear)?;
-    Ok(Ply { material, thickness: ply.thickness, angle: ply.angle })
-}
-
 /// Plane-stress plasticity at points through the thickness, on logarithmic strains: the membrane strain of a point is the logarithmic
 /// strain h of its mid-surface, its curvature the change K of curvature freed of stretch.
 ///
-/// Transverse shear is elastic, `Q = (5/6) Σ G t γ`, and no part of the yield criterion. The history has, a slice, three plastic strains and α,
+/// Transverse shear is elastic, that of a [`LayeredSection`], and no part of the yield criterion. The history has, a slice of what yields, three plastic strains and α,
 /// then λ₃ − 1, U⁻¹ − 1, g and 1 − χ ([`PlasticSection::tallies`] reads it); the strain at a height is h + z (F K + g). λ₃ and U⁻¹ are those of the last
 /// commit, which makes a step's resultants the derivative of its work; a commit moves them, and leaves the strain of each point what it is.
 #[derive(Clone, Debug)]
@@ -86,8 +29,8 @@ pub struct PlasticSection {
     pub(super) layers: Vec<Layer>,
     /// The place of λ₃ − 1 in a history.
     pub(super) of_section: usize,
-    /// (5/6) Σ G t \[F/L\].
-    pub(super) shear: f64,
+    /// Transverse shear stiffness \[F/L\].
+    pub(super) shear: [[f64; 2]; 2],
     pub(super) scales: SectionScales,
 }
 
@@ -97,54 +40,49 @@ impl PlasticSection {
     /// # Errors
     /// Those of [`PlasticSection::layered`].
     pub fn new(material: Plastic, thickness: f64, slices: usize) -> Result<Self, MaterialError> {
-        Self::layered(&[PlasticPly { material, thickness, angle: 0.0, slices }])
+        let material = PlyMaterial::Plastic(material, slices);
+        Self::layered(&[PlasticPly { material, thickness, angle: 0.0 }])
     }
 
     /// Plies from the lowest (against the normal) to the highest; their middle is the mid-surface.
     ///
     /// # Errors
-    /// [`MaterialError`] for no ply at all, a thickness that is not positive, an angle that is not finite, fewer than 2 slices of a ply.
+    /// [`MaterialError`] for no ply at all, a thickness that is not positive, an angle that is not finite, fewer than 2 slices of a ply that yields.
     pub fn layered(plies: &[PlasticPly]) -> Result<Self, MaterialError> {
-        let elastic: Result<Vec<Ply>, MaterialError> = plies.iter().map(elastic_ply).collect();
-        let scales = LayeredSection::new(&elastic?)?.scales();
+        let elastic: Vec<Ply> = plies.iter().map(PlasticPly::elastic).collect();
+        let elastic = LayeredSection::new(&elastic)?;
+        let scales = elastic.scales();
         let (mut bottom, mut first) = (-0.5 * scales.thickness, 0);
         let mut layers = Vec::with_capacity(plies.len());
         for ply in plies {
-            if ply.slices < 2 {
-                let (what, value) = ("the number of slices of a ply", ply.slices as f64);
-                return Err(MaterialError::Constant { what, value, bound: "at least 2" });
-            }
-            let Plastic { elastic, hardening, kinematic, modes } = ply.material.clone();
-            let modes = modes.turned(ply.angle);
-            let trace = modes.of_strains(&[1.0, 1.0, 0.0]);
-            let by = |factor: f64| trace.map(|t| -t * factor / elastic.young);
-            layers.push(Layer {
-                law: PointLaw::new(&modes, hardening, kinematic),
-                modes,
-                first,
-                slices: slices(ply.slices, ply.thickness, bottom + 0.5 * ply.thickness).collect(),
-                thinning: [by(elastic.poisson), by(1.0 - elastic.poisson)],
-            });
+            let layer = ply.layer(bottom + 0.5 * ply.thickness, first)?;
             bottom += ply.thickness;
-            first += OF_SLICE * ply.slices;
+            first += layer.numbers();
+            layers.push(layer);
         }
-        Ok(Self { layers, of_section: first, shear: scales.shear, scales })
+        Ok(Self { layers, of_section: first, shear: *elastic.transverse_shear(), scales })
     }
 
-    /// The fewest slices of a ply.
+    /// The laws of the plies that yield.
+    fn laws(&self) -> impl Iterator<Item = &PointLaw> {
+        self.layers.iter().filter_map(|layer| layer.law.as_ref())
+    }
+
+    /// The fewest slices of a ply that yields.
     pub fn fewest_slices(&self) -> usize {
-        self.layers.iter().map(|layer| layer.slices.len()).min().unwrap_or(0)
+        let yielding = self.layers.iter().filter(|layer| layer.law.is_some());
+        yielding.map(|layer| layer.slices.len()).min().unwrap_or(0)
     }
 
     /// Yield stress K \[F/L²\] and its slope K' at an equivalent plastic strain, of the ply with the least.
     pub fn yield_at(&self, alpha: f64) -> [f64; 2] {
-        let all = self.layers.iter().map(|layer| layer.law.hardening().at(alpha));
+        let all = self.laws().map(|law| law.hardening().at(alpha));
         all.fold([f64::INFINITY; 2], |[stress, slope], of| [stress.min(of.stress), slope.min(of.slope)])
     }
 
     /// The least plastic strain beyond which a table of hardening says nothing \[–\]; none without tables.
     pub fn data_until(&self) -> Option<f64> {
-        self.layers.iter().filter_map(|layer| layer.law.hardening().until()).reduce(f64::min)
+        self.laws().filter_map(|law| law.hardening().until()).reduce(f64::min)
     }
 
     /// λ₃ and U⁻¹ of a history.
@@ -160,6 +98,16 @@ impl PlasticSection {
             read(first + 5),
             read(first + 6),
         ])
+    }
+
+    /// Forces of transverse shear strains.
+    #[inline(always)]
+    fn sheared<P: Number>(&self, [g1, g2]: &[P; 2]) -> [P; 2] {
+        let [[s11, s12], [s21, s22]] = self.shear;
+        if s12 == 0.0 && s21 == 0.0 {
+            return [*g1 * s11, *g2 * s22];
+        }
+        [*g1 * s11 + *g2 * s12, *g1 * s21 + *g2 * s22]
     }
 
     /// Resultants of the stresses that are met at the points, moments of z σ not yet brought to the mid-surface by the lever.
@@ -188,8 +136,7 @@ impl PlasticSection {
                 moment[i] += turn[i];
             }
         }
-        let shear = [strains.shear[0] * self.shear, strains.shear[1] * self.shear];
-        Resultants { membrane, moment, shear }
+        Resultants { membrane, moment, shear: self.sheared(&strains.shear) }
     }
 
     /// [`Memory::resultants_from`] in any registers; `read` gives the numbers of the committed history.
@@ -203,15 +150,24 @@ impl PlasticSection {
     #[inline(always)]
     pub fn energy_in<P: Number>(&self, strains: &Strains<P>, read: impl Fn(usize) -> P) -> P {
         let lever = self.lever(&read);
-        let [g1, g2] = strains.shear;
-        let mut work = (g1 * g1 + g2 * g2) * (0.5 * self.shear);
+        let ([g1, g2], [q1, q2]) = (strains.shear, self.sheared(&strains.shear));
+        let mut work = (g1 * q1 + g2 * q2) * 0.5;
         for layer in &self.layers {
             let across = layer.across(strains, &lever);
             for (slice, place) in layer.points() {
-                let point = layer.law.step(&across.at(slice), &committed(&read, place));
-                let [stored, hardened, dissipated] =
-                    layer.law.work(&point.stress, &point.plastic, point.alpha);
-                work += (stored + hardened + dissipated) * slice.weight;
+                let strain = across.at(slice);
+                work += match &layer.law {
+                    Some(law) => {
+                        let point = law.step(&strain, &committed(&read, place));
+                        let [stored, hardened, dissipated] =
+                            law.work(&point.stress, &point.plastic, point.alpha);
+                        (stored + hardened + dissipated) * slice.weight
+                    }
+                    None => {
+                        let [a, b, c] = strain;
+                        (a * a + b * b + c * c) * (0.5 * slice.weight)
+                    }
+                };
             }
         }
         work
@@ -265,7 +221,10 @@ struct Flowing<R> {
 impl<P: Number, R: Fn(usize) -> P> Met<P> for Flowing<R> {
     #[inline(always)]
     fn stress(&mut self, layer: &Layer, _: &Slice, place: usize, strain: &[P; 3]) -> [P; 3] {
-        layer.law.step(strain, &committed(&self.read, place)).stress
+        match &layer.law {
+            Some(law) => law.step(strain, &committed(&self.read, place)).stress,
+            None => *strain,
+        }
     }
 }
 
@@ -273,7 +232,10 @@ impl<P: Number, R: Fn(usize) -> P> Met<P> for Flowing<R> {
 struct Held<'a>(&'a [Pack]);
 
 impl Met<Pack> for Held<'_> {
-    fn stress(&mut self, _: &Layer, _: &Slice, place: usize, strain: &[Pack; 3]) -> [Pack; 3] {
+    fn stress(&mut self, layer: &Layer, _: &Slice, place: usize, strain: &[Pack; 3]) -> [Pack; 3] {
+        if layer.law.is_none() {
+            return *strain;
+        }
         three(|i| strain[i] - self.0[place + i])
     }
 }
@@ -292,17 +254,23 @@ struct Committing<'a, P, R, W> {
 impl<P: Number, R: Fn(usize) -> P, W: FnMut(usize, P)> Met<P> for Committing<'_, P, R, W> {
     #[inline(always)]
     fn stress(&mut self, layer: &Layer, slice: &Slice, place: usize, strain: &[P; 3]) -> [P; 3] {
-        let point = layer.law.step(strain, &committed(&self.read, place));
+        let share = slice.weight * slice.height * slice.height;
+        self.whole += share;
+        let Some(law) = &layer.law else {
+            for i in 0..3 {
+                self.log_thickness += strain[i] * layer.thinning[0][i] * slice.weight;
+            }
+            return *strain;
+        };
+        let point = law.step(strain, &committed(&self.read, place));
         for i in 0..3 {
             (self.write)(place + i, point.plastic[i]);
             let thinner = point.stress[i] * layer.thinning[0][i] + point.plastic[i] * layer.thinning[1][i];
             self.log_thickness += thinner * slice.weight;
         }
         (self.write)(place + 3, point.alpha);
-        let share = slice.weight * slice.height * slice.height;
-        let flow = point.gamma * layer.law.mean_yielding();
+        let flow = point.gamma * law.mean_yielding();
         self.eased += flow / (flow + point.gamma.all(1.0)) * share;
-        self.whole += share;
         point.stress
     }
 }

@@ -52,17 +52,18 @@ impl Tallies<'_> {
 
     /// A sum over the points of weight and equivalent plastic strain.
     fn folded(&self, add: impl Fn(Pack, f64, Pack) -> Pack) -> Pack {
-        let points = self.section.layers.iter().flat_map(|layer| layer.points());
+        let yielding = self.section.layers.iter().filter(|layer| layer.law.is_some());
+        let points = yielding.flat_map(|layer| layer.points());
         points.fold(Pack::ZERO, |sum, (slice, place)| add(sum, slice.weight, self.history[place + 3]))
     }
 
     fn worked(&self) -> [Pack; 2] {
         let mut out = [Pack::ZERO; 2];
         for layer in &self.section.layers {
+            let Some(law) = &layer.law else { continue };
             for (slice, place) in layer.points() {
                 let plastic = std::array::from_fn(|i| self.history[place + i]);
-                let [_, hardened, dissipated] =
-                    layer.law.work(&[Pack::ZERO; 3], &plastic, self.history[place + 3]);
+                let [_, hardened, dissipated] = law.work(&[Pack::ZERO; 3], &plastic, self.history[place + 3]);
                 out[0] += hardened * slice.weight;
                 out[1] += dissipated * slice.weight;
             }

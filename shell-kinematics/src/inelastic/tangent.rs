@@ -29,8 +29,13 @@ impl PlasticSection {
             let across = layer.across(strains, &lever);
             let mut own = [[Pack::ZERO; 6]; 3];
             for (slice, place) in layer.points() {
-                let committed: [Pack; OF_SLICE] = std::array::from_fn(|i| read(place + i));
-                let tangent = layer.law.tangent(&layer.law.step(&across.at(slice), &committed));
+                let tangent = match &layer.law {
+                    Some(law) => {
+                        let committed: [Pack; OF_SLICE] = std::array::from_fn(|i| read(place + i));
+                        law.tangent(&law.step(&across.at(slice), &committed))
+                    }
+                    None => [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(Pack::splat),
+                };
                 let (w, z) = (slice.weight, slice.height);
                 for (sum, factor) in own.iter_mut().zip([w, w * z, w * z * z]) {
                     sum.iter_mut().zip(tangent).for_each(|(sum, value)| *sum += value * factor);
@@ -62,8 +67,11 @@ impl PlasticSection {
                 out[3 + i][3 + j] = bending[i.min(j)][i.max(j)];
             }
         }
-        out[6][6] = Pack::splat(self.shear);
-        out[7][7] = out[6][6];
+        for i in 0..2 {
+            for j in 0..2 {
+                out[6 + i][6 + j] = Pack::splat(self.shear[i][j]);
+            }
+        }
         out
     }
 }

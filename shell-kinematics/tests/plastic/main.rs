@@ -6,6 +6,7 @@ mod bending;
 mod common;
 mod derivatives;
 mod paths;
+mod plies;
 mod points;
 mod refused;
 mod sheets;

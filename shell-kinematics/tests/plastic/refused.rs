@@ -1,6 +1,6 @@
 //! What is refused, and in what words.
 
-use shell_kinematics::{Hardening, MaterialError, Plastic, PlasticPly, PlasticSection, RValues};
+use shell_kinematics::{Hardening, MaterialError, Plastic, PlasticPly, PlasticSection, PlyMaterial, RValues};
 
 use crate::common::*;
 
@@ -65,7 +65,8 @@ fn sections_without_bending_or_plies_are_refused() {
     assert_eq!(says(PlasticSection::new(material(), 1.0, 1)), words);
     assert_eq!(PlasticSection::new(material(), 0.0, 2).err(), Some(MaterialError::Thickness(0.0)));
     assert_eq!(PlasticSection::layered(&[]).err(), Some(MaterialError::NoPlies));
-    let ply = PlasticPly { material: material(), thickness: 1.0, angle: f64::INFINITY, slices: 2 };
+    let ply =
+        PlasticPly { material: PlyMaterial::Plastic(material(), 2), thickness: 1.0, angle: f64::INFINITY };
     assert_eq!(PlasticSection::layered(&[ply]).err(), Some(MaterialError::Angle(f64::INFINITY)));
     let words = "the modulus of kinematic hardening is -1; it must be zero or positive, and finite";
     assert_eq!(says(material().kinematic(-1.0)), words);

@@ -3,8 +3,8 @@
 use std::f64::consts::FRAC_PI_4;
 
 use shell_kinematics::{
-    Hardening, LayeredSection, Memory, Orthotropic, Pack, Plastic, PlasticPly, PlasticSection, Ply, RValues,
-    Section, Strains,
+    Hardening, LayeredSection, Memory, Orthotropic, Pack, Plastic, PlasticPly, PlasticSection, Ply,
+    PlyMaterial, RValues, Section, Strains,
 };
 
 use crate::common::*;
@@ -17,7 +17,7 @@ fn sheet([r0, r45, r90]: [f64; 3], hardening: &Hardening) -> Plastic {
 }
 
 fn one_ply(material: Plastic, angle: f64, slices: usize) -> PlasticSection {
-    PlasticSection::layered(&[PlasticPly { material, thickness: THICKNESS, angle, slices }]).unwrap()
+    PlasticSection::layered(&[ply(&material, THICKNESS, angle, slices)]).unwrap()
 }
 
 /// Bars cut at 0, 45 and 90° strain across and through the thickness by their r-values; the one along the first axis yields at the yield stress.
@@ -111,7 +111,7 @@ fn equal_r_values_are_von_mises() {
 }
 
 fn ply(material: &Plastic, thickness: f64, angle: f64, slices: usize) -> PlasticPly {
-    PlasticPly { material: material.clone(), thickness, angle, slices }
+    PlasticPly { material: PlyMaterial::Plastic(material.clone(), slices), thickness, angle }
 }
 
 /// Three equal plies of 4 slices are one of 12 where nothing flows, and have its plastic moment to the error of either rule.

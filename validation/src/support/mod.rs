@@ -5,6 +5,7 @@ pub mod coupled;
 pub mod fluids;
 pub mod linear;
 pub mod marched;
+pub mod mesh_scenes;
 pub mod meshes;
 pub mod misses;
 pub mod path;

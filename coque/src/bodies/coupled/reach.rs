@@ -39,7 +39,7 @@ impl Loose<'_> {
     fn density(&self) -> Option<f64> {
         match self.scene.body {
             BodyScene::Solid(solid) => Some(solid.material.density()),
-            BodyScene::Shell(shell) if shell.wets_both() => shell.material.density(),
+            BodyScene::Shell(shell) if shell.wets_both() => shell.density(),
             _ => None,
         }
     }

@@ -38,8 +38,7 @@ pub(super) fn wet<'a>(
                 free_edges: Vec::new(),
             };
             // The checks leave a shell in a fluid no material or section of a file.
-            let area_density =
-                shell.material.density().zip(shell.section.thickness()).map_or(0.0, |(rho, t)| rho * t);
+            let area_density = shell.density().zip(shell.section.thickness()).map_or(0.0, |(rho, t)| rho * t);
             let made = shell_made(&ShellInScene::new(scene, shell), threads, Some(wetting))?;
             let side = of_shell(scene, &made.body)?;
             let made = made.map(|shell| Box::new(shell) as _);

@@ -121,7 +121,10 @@ fn lists(
         }),
         Section::File(_) => modelled.push("isotropic elasticity, sections of the file in closed form".into()),
         Section::Layered(section) => {
-            modelled.push(describe_plies(section));
+            modelled.push(describe_plies(section, &scene.shell.material));
+            if scene.shell.yields_itself() {
+                modelled.push("thickness that follows plastic flow".into());
+            }
             let missing = ["delamination", "change of transverse shear strain from ply to ply"];
             left_out.extend(missing.map(String::from));
         }
@@ -167,16 +170,27 @@ fn lists(
     (modelled, left_out)
 }
 
-/// Angles from the lowest ply to the highest, and the thickness of each where they differ.
-fn describe_plies(section: &Layered) -> String {
-    let list = |of: fn(&Ply) -> f64| section.plies.iter().map(|p| of(p).to_string()).collect::<Vec<_>>();
-    let angles = list(|ply| ply.angle.get()).join("/");
-    let mut thicknesses = list(|ply| ply.thickness.get());
+/// Angles from the lowest ply to the highest, and the thickness of each where they differ; materials where there are several, or one yields.
+fn describe_plies(section: &Layered, shell: &Material) -> String {
+    let list = |of: &dyn Fn(&Ply) -> String| section.plies.iter().map(of).collect::<Vec<_>>();
+    let angles = list(&|ply| ply.angle.to_string()).join("/");
+    let mut thicknesses = list(&|ply| ply.thickness.to_string());
     thicknesses.dedup();
+    let of = |ply: &Ply| match ply.material(shell) {
+        Material::Plastic(_) => format!("plastic in {} slices", ply.slices()),
+        other => other.word().into(),
+    };
+    let materials = match shell {
+        Material::Orthotropic(_) if !section.mixed() => "orthotropic elasticity".into(),
+        _ => list(&of).join("/"),
+    };
+    let shear = match section.mixed() {
+        false => "as 5/6 of the sum over the plies",
+        true => "by the energy of the shear stress of bending",
+    };
     let [x, y, z] = section.axis;
     format!(
-        "orthotropic elasticity, plies at {angles} degrees from [{x}, {y}, {z}], thickness {}: classical lamination, \
-         transverse shear as 5/6 of the sum over the plies",
+        "{materials}, plies at {angles} degrees from [{x}, {y}, {z}], thickness {}: classical lamination, transverse shear {shear}",
         thicknesses.join("/")
     )
 }

@@ -255,7 +255,7 @@ fn sections_used<'a>(
         let value = format!("{file} gives no section to any group of faces");
         return refuse(value, "a homogeneous *Shell Section in an Abaqus file", repair);
     }
-    if shell.geometry.mesh().is_some_and(|mesh| *mesh.scale != 1.0) && asking.material.density().is_none() {
+    if shell.geometry.mesh().is_some_and(|mesh| *mesh.scale != 1.0) && asking.density().is_none() {
         let value = format!("the moduli of {file} are in units of its own, and its lengths are scaled");
         return refuse(value, "moduli in the units of the scene", "write the scene in the units of the file");
     }

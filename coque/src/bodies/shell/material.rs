@@ -1,8 +1,8 @@
 //! From a scene to what the particles are made of and how they are sampled: section, axes, strain measure, formulation.
 
 use shell_kinematics::{
-    Hardening, IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Orthotropic,
-    Plastic, PlasticSection, Ply, RValues, Rubber, RubberSection, Section, StrainMeasure,
+    Hardening, IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Plastic,
+    PlasticPly, PlasticSection, Ply, RValues, Rubber, RubberSection, Section, StrainMeasure,
 };
 use sph_core::{CubicSpline, Vec3};
 use sph_shell::{Formulation, Reach};
@@ -18,8 +18,10 @@ use crate::scene::{self, MaterialSection};
 pub(super) enum SectionSpec {
     /// One isotropic material through a thickness \[L\], in closed form or by Gauss points.
     Isotropic(Isotropic, f64, Option<usize>),
-    /// Plies.
+    /// Plies of which none yields.
     Layered(Vec<Ply>),
+    /// Plies of which one yields at least.
+    Yielding(Vec<PlasticPly>),
     /// One material that yields, through a thickness \[L\] in so many slices.
     Plastic(Plastic, f64, usize),
     /// Rubber through a thickness \[L\].
@@ -46,6 +48,7 @@ impl SectionSpec {
             | Self::Plastic(_, thickness, _)
             | Self::Rubber(_, thickness) => *thickness,
             Self::Layered(plies) => plies.iter().map(|ply| ply.thickness).sum(),
+            Self::Yielding(plies) => plies.iter().map(|ply| ply.thickness).sum(),
         }
     }
 
@@ -56,6 +59,7 @@ impl SectionSpec {
             Self::Plastic(material, _, slices) => Self::Plastic(material.clone(), thickness, *slices),
             Self::Rubber(material, _) => Self::Rubber(material.clone(), thickness),
             Self::Layered(plies) => Self::Layered(plies.clone()),
+            Self::Yielding(plies) => Self::Yielding(plies.clone()),
         }
     }
 
@@ -66,7 +70,7 @@ impl SectionSpec {
             Self::Plastic(material, ..) => Some(material.elastic().young),
             // Incompressible.
             Self::Rubber(material, _) => Some(3.0 * material.shear()),
-            Self::Layered(_) => None,
+            Self::Layered(_) | Self::Yielding(_) => None,
         }
     }
 
@@ -83,6 +87,7 @@ impl SectionSpec {
                 Box::new(IntegratedSection::new(*material, *thickness, *points)?)
             }
             Self::Layered(plies) => Box::new(LayeredSection::new(plies)?),
+            Self::Yielding(plies) => Box::new(PlasticSection::layered(plies)?),
             Self::Plastic(material, thickness, slices) => {
                 Box::new(PlasticSection::new(material.clone(), *thickness, *slices)?)
             }
@@ -156,18 +161,7 @@ impl Builder<'_> {
                     rubber(material).map_err(|e| model_error(self.scene.source, &path, &e.to_string()))?;
                 Ok(SectionSpec::Rubber(of, section.thickness.get()))
             }
-            MaterialSection::Layered(m, section) => {
-                let across = m.shear_across.unwrap_or(m.shear);
-                let material =
-                    Orthotropic::new(*m.young_along, *m.young_across, m.poisson, *m.shear, *across)
-                        .map_err(refuse("material.orthotropic"))?;
-                let ply = |ply: &scene::Ply| Ply {
-                    material,
-                    thickness: ply.thickness.get(),
-                    angle: ply.angle.to_radians(),
-                };
-                Ok(SectionSpec::Layered(section.plies.iter().map(ply).collect()))
-            }
+            MaterialSection::Layered(material, section) => self.plies(material, section, s),
             MaterialSection::OfFile(..) => {
                 Err(model_error(self.scene.source, &s.path("section"), "a file gives its sections to cells"))
             }
@@ -180,7 +174,7 @@ impl Builder<'_> {
             SectionSpec::Isotropic(..) | SectionSpec::Plastic(..) | SectionSpec::Rubber(..) => {
                 "section.homogeneous"
             }
-            SectionSpec::Layered(_) => "section.layered",
+            SectionSpec::Layered(_) | SectionSpec::Yielding(_) => "section.layered",
         };
         spec.try_section().map_err(|e| model_error(self.scene.source, &s.path(path), &e.to_string()))
     }

@@ -18,6 +18,7 @@ pub(super) mod material;
 mod own_contact;
 mod parts;
 mod places;
+mod plies;
 mod refusal;
 mod rigid;
 mod sections;

@@ -42,7 +42,7 @@ impl Builder<'_> {
         let (shell, scope) = (self.scene.shell, self.scene.body_scope());
         if !shell.has_parts() {
             let base = self.section(&self.spec(shell, &scope)?, &scope)?;
-            let (density, axis) = (shell.material.density().unwrap_or_default(), self.material_axis(shell));
+            let (density, axis) = (shell.density().unwrap_or_default(), self.material_axis(shell));
             return Ok(Sections {
                 base,
                 density,
@@ -142,7 +142,7 @@ impl Builder<'_> {
         cloud: &Cloud,
         imported: Option<&Imported>,
     ) -> Result<Vec<UniformPart>, SceneError> {
-        let density = shell.material.density().unwrap_or_default();
+        let density = shell.density().unwrap_or_default();
         let axis = self.material_axis(shell);
         let strain = self.strain(shell, at)?;
         match shell.material_section(at)? {
@@ -194,7 +194,7 @@ impl Builder<'_> {
         cells: &[u32],
         imported: Option<&Imported>,
     ) -> Result<Vec<UniformPart>, SceneError> {
-        let key = if shell.material.density().is_none() { "material.file" } else { "section.file" };
+        let key = if shell.density().is_none() { "material.file" } else { "section.file" };
         let refuse = |value: &str, bound: &str, repair: &str| {
             Err(SceneError::Mesh(at.fault(key, value, bound, repair)))
         };
@@ -274,6 +274,7 @@ fn line(name: &str, offset: f64, all: &[UniformPart]) -> String {
     let offset = if offset == 0.0 { String::new() } else { format!(", offset {offset}") };
     let law = match all.first().map(|uniform| &uniform.spec) {
         Some(SectionSpec::Plastic(_, _, slices)) => format!(", yields, {slices} slices"),
+        Some(SectionSpec::Yielding(plies)) => format!(", {} plies, which yield", plies.len()),
         Some(SectionSpec::Rubber(..)) => ", rubber".into(),
         _ => String::new(),
     };

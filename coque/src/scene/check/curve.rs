@@ -77,7 +77,7 @@ fn check_face_of_stress(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Ve
         let fault = s.fault(&probe.at("face"), "nothing", "given: it has no default", repair);
         return Err(SceneError::Missing(fault));
     }
-    let layered = |shell: &ShellScene| !shell.section.homogeneous() || shell.material.yields();
+    let layered = |shell: &ShellScene| !shell.section.homogeneous() || shell.yields_itself();
     let of_shell = |shell: &ShellScene| {
         layered(shell) || (0..shell.parts.len()).any(|part| layered(&shell.in_part(part)))
     };

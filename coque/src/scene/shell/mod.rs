@@ -7,7 +7,9 @@ pub(crate) mod material;
 pub(crate) mod mesh;
 pub(crate) mod parts;
 pub(crate) mod plastic;
+pub(crate) mod plies;
 pub(crate) mod rubber;
+pub(crate) mod section;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -16,8 +18,9 @@ use sph_shell::WetFaces;
 use formulation::{Formulation, STRETCH_CORRECTED};
 use geometry::{Geometry, Orientation, Placed};
 use initial_stress::InitialStress;
-use material::{Material, Section};
+use material::Material;
 use parts::{LumpedMass, RigidBody, ShellPart, ShellTie};
+use section::Section;
 
 use super::imperfection::Imperfection;
 use super::tools::ToolScene;
@@ -69,13 +72,30 @@ pub struct ShellScene {
 impl ShellScene {
     /// Name of the strain measure: as the method says, else what the material wants.
     pub fn curvature(&self) -> &str {
-        self.formulation.curvature().unwrap_or_else(|| self.material.curvature().unwrap_or(STRETCH_CORRECTED))
+        self.formulation.curvature().unwrap_or_else(|| self.measure_of_law().unwrap_or(STRETCH_CORRECTED))
+    }
+
+    /// The one strain measure that its law is written in, where it is not that of small strains.
+    pub(crate) fn measure_of_law(&self) -> Option<&'static str> {
+        self.section.materials(&self.material).into_iter().find_map(Material::curvature)
+    }
+
+    /// Whether it yields where no part has a law of its own.
+    pub(crate) fn yields_itself(&self) -> bool {
+        self.section.materials(&self.material).into_iter().any(Material::yields)
     }
 
     /// Whether it yields, or one of its parts does.
     pub(crate) fn yields(&self) -> bool {
-        let of_parts = self.parts.iter().filter_map(|part| part.material.as_ref());
-        std::iter::once(&self.material).chain(of_parts).any(Material::yields)
+        self.yields_itself() || (0..self.parts.len()).any(|part| self.in_part(part).yields_itself())
+    }
+
+    /// Mass per volume, the mean over the thickness \[F T²/L⁴\], where the scene gives it.
+    pub(crate) fn density(&self) -> Option<f64> {
+        match &self.section {
+            Section::Layered(section) => section.density(&self.material),
+            Section::Homogeneous(_) | Section::File(_) => self.material.density(),
+        }
     }
 
     /// Whether a fluid wets both of its faces.

@@ -4,7 +4,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use super::material::{Material, Section};
+use super::material::Material;
+use super::section::Section;
 use crate::scene::bounded::{NotNegative, Positive};
 use crate::scene::per_axis::PerAxis;
 

@@ -1,25 +1,35 @@
 //! Shells and solids that yield; a new case is a file, a line here, and one in the list.
 
+mod balloon_inflating;
 mod bricks;
+mod column_yielding;
+mod cook_yielding;
 mod cylinder_bursting;
 mod cylinder_yielding;
+mod disc_yielding;
 mod hemisphere_yielding;
 mod plate_yielding;
 mod roof_collapsing;
+mod strip_fibre_metal;
 mod strip_necking;
 mod strip_springback;
 
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 7] {
+pub fn all() -> [Case; 12] {
     [
         strip_necking::case(),
+        strip_fibre_metal::case(),
         strip_springback::case(),
         hemisphere_yielding::case(),
         plate_yielding::case(),
         roof_collapsing::case(),
         cylinder_yielding::case(),
+        column_yielding::case(),
+        cook_yielding::case(),
+        disc_yielding::case(),
+        balloon_inflating::case(),
         cylinder_bursting::case(),
     ]
 }

@@ -4,9 +4,8 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::geometry::Geometry;
-use crate::scene::shell::material::{
-    Elastic, Homogeneous, Layered, Material, MaterialSection, Orthotropic, Section,
-};
+use crate::scene::shell::material::{Elastic, Material, Orthotropic};
+use crate::scene::shell::section::{Homogeneous, MaterialSection, Section};
 
 impl Homogeneous {
     /// Refuses a thickness that is given in two ways.
@@ -28,11 +27,20 @@ pub(super) fn check_poisson(path: &str, poisson: f64, s: &Scope<'_>) -> Verdict 
     s.between(path, poisson, [-1.0, 0.5], repair)
 }
 
+/// The constants of a fibre.
+pub(super) fn check_orthotropic(material: &Orthotropic, s: &Scope<'_>) -> Verdict {
+    let at = |key: &str| format!("material.orthotropic.{key}");
+    let bound = (*material.young_along / *material.young_across).sqrt();
+    let repair = "ν_LT² must be less than E_L/E_T, or some strain would release energy; give the contraction across \
+                  the fibre under stress along it";
+    s.between(&at("poisson"), material.poisson, [-bound, bound], repair)
+}
+
 impl ShellScene {
     pub(super) fn check_material(&self, s: &Scope<'_>) -> Verdict {
         match &self.material {
             Material::Elastic(elastic) => self.check_elastic(elastic, s)?,
-            Material::Orthotropic(orthotropic) => self.check_orthotropic(orthotropic, s)?,
+            Material::Orthotropic(orthotropic) => check_orthotropic(orthotropic, s)?,
             Material::Plastic(plastic) => self.check_plastic_material(plastic, s)?,
             Material::Rubber(rubber) => self.check_rubber_material(rubber, s)?,
             Material::File(_) => self.check_of_file("material.file", s)?,
@@ -58,14 +66,6 @@ impl ShellScene {
             return Err(SceneError::Choice(s.fault("material.elastic.young-values", value, bound, repair)));
         }
         check_poisson("material.elastic.poisson", elastic.poisson, s)
-    }
-
-    fn check_orthotropic(&self, material: &Orthotropic, s: &Scope<'_>) -> Verdict {
-        let at = |key: &str| format!("material.orthotropic.{key}");
-        let bound = (*material.young_along / *material.young_across).sqrt();
-        let repair = "ν_LT² must be less than E_L/E_T, or some strain would release energy; give the contraction across \
-                      the fibre under stress along it";
-        s.between(&at("poisson"), material.poisson, [-bound, bound], repair)
     }
 
     fn check_section(&self, s: &Scope<'_>) -> Verdict {
@@ -106,15 +106,6 @@ impl ShellScene {
         Ok(())
     }
 
-    fn check_layered(&self, section: &Layered, s: &Scope<'_>) -> Verdict {
-        s.direction("section.layered.axis", section.axis)?;
-        if section.plies.is_empty() {
-            let repair = "give at least one: plies = [{ thickness = 1.0, angle = 0.0 }]";
-            return Err(s.value("section.layered.plies", "empty", "a list of plies", repair));
-        }
-        Ok(())
-    }
-
     /// Material and section together: the one material has axes and needs a section that says where they lie, the other
     /// has none to turn.
     ///
@@ -126,7 +117,10 @@ impl ShellScene {
             (Material::Elastic(material), Section::Homogeneous(section)) => {
                 return Ok(MaterialSection::Homogeneous(material, section));
             }
-            (Material::Orthotropic(material), Section::Layered(section)) => {
+            (material @ (Material::Orthotropic(_) | Material::Plastic(_)), Section::Layered(section)) => {
+                return Ok(MaterialSection::Layered(material, section));
+            }
+            (material @ Material::Elastic(_), Section::Layered(section)) if section.mixed() => {
                 return Ok(MaterialSection::Layered(material, section));
             }
             (Material::Plastic(material), Section::Homogeneous(section)) => {
@@ -142,10 +136,10 @@ impl ShellScene {
             (Material::File(_), Section::Homogeneous(section)) => {
                 return Ok(MaterialSection::OfFile(None, Some(section)));
             }
-            (Material::Plastic(_), Section::File(_) | Section::Layered(_)) => (
+            (Material::Plastic(_), Section::File(_)) => (
                 "material.plastic",
                 "a material that yields",
-                "none but with [section.homogeneous]",
+                "none but with [section.homogeneous] or [section.layered]",
                 "give [section.homogeneous] with the thickness".into(),
             ),
             (Material::Rubber(_), Section::File(_) | Section::Layered(_)) => (
@@ -179,7 +173,7 @@ impl ShellScene {
                 "angles to [material.elastic], which is the same in all directions",
                 "the thickness alone",
                 format!(
-                    "use [section.homogeneous] with thickness = {thickness:?}, or [material.orthotropic] for plies"
+                    "use [section.homogeneous] with thickness = {thickness:?}, [material.orthotropic] for plies, or give a ply a `material` of its own"
                 ),
             ),
         };

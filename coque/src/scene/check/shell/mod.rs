@@ -6,6 +6,7 @@ mod material;
 mod own_law;
 mod parts;
 mod placed;
+mod plies;
 mod rigid;
 
 use crate::scene::bounded::Polar;

@@ -7,9 +7,10 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
-use crate::scene::shell::material::Section;
 use crate::scene::shell::plastic::{Hardening, Plastic};
+use crate::scene::shell::plies::Ply;
 use crate::scene::shell::rubber::{Rubber, RubberLaw};
+use crate::scene::shell::section::Section;
 
 impl ShellScene {
     /// The numbers of a material that yields, and of the section beside it.
@@ -108,14 +109,12 @@ pub(super) fn check_own_law(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Sco
 
 /// The same for one of them, whose material stands below a key.
 fn check_law_of(scene: &BodyInScene<'_>, shell: &ShellScene, below: &str, s: &Scope<'_>) -> Verdict {
-    let Some(measure) = shell.material.curvature() else { return Ok(()) };
+    let Some(measure) = shell.measure_of_law() else { return Ok(()) };
+    let (own, word) = law_of(shell);
     let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
         Err(SceneError::Choice(s.fault(path, value, bound, repair)))
     };
-    let (path, of) = (
-        format!("{below}material.{}", shell.material.word()),
-        format!("[material.{}]", shell.material.word()),
-    );
+    let (path, of) = (format!("{below}{own}material.{word}"), format!("[material.{word}]"));
     if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
         let bound = "none but where strains are sampled in cells";
         let repair = "use [formulation.stress-point] without `support`, the default";
@@ -134,13 +133,27 @@ fn check_law_of(scene: &BodyInScene<'_>, shell: &ShellScene, below: &str, s: &Sc
         let (bound, repair) = (format!("none in {of}"), "remove it, or make the material elastic");
         return refuse("initial_stress[0]", "an initial stress", &bound, repair);
     }
-    if shell.material.yields() && matches!(scene.analysis, Analysis::Linear(_) | Analysis::Buckling(_)) {
+    if shell.yields_itself() && matches!(scene.analysis, Analysis::Linear(_) | Analysis::Buckling(_)) {
         let bound =
             format!("none in {}, which takes the material as it is at rest", scene.analysis.kind().name);
         let repair = "use [analysis.static], [analysis.arc-length] or a march, or [material.elastic]";
         return refuse(&path, &of, &bound, repair);
     }
     Ok(())
+}
+
+/// The path to the first material with a law of its own, and the word of it.
+fn law_of(shell: &ShellScene) -> (String, &'static str) {
+    let own = shell.material.word();
+    let Section::Layered(section) = &shell.section else { return (String::new(), own) };
+    let has_law = |ply: &Ply| ply.material.as_ref().is_some_and(|own| own.curvature().is_some());
+    match section.plies.iter().position(has_law) {
+        Some(number) if shell.material.curvature().is_none() => {
+            let of_ply = section.plies[number].material(&shell.material);
+            (format!("section.layered.plies[{number}]."), of_ply.word())
+        }
+        _ => (String::new(), own),
+    }
 }
 
 /// Where the strain measure stands: with the part, if it has one of its own, else with the shell.

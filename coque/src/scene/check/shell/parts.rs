@@ -9,8 +9,9 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
-use crate::scene::shell::material::{Material, Section};
+use crate::scene::shell::material::Material;
 use crate::scene::shell::parts::{LumpedMass, PartFormulation, ShellTie};
+use crate::scene::shell::section::Section;
 
 impl ShellScene {
     /// Whether sections may differ from cell to cell.
@@ -21,7 +22,7 @@ impl ShellScene {
 
     /// Whether material or section stand in the file of the mesh.
     pub(crate) fn takes_from_file(&self) -> bool {
-        self.material.density().is_none() || self.section.thickness().is_none()
+        self.density().is_none() || self.section.thickness().is_none()
     }
 
     /// Whether Young's modulus differs from cell to cell.

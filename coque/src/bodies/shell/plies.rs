@@ -1,0 +1,67 @@
+//! From the plies of a scene to those of a section.
+
+use shell_kinematics::{Isotropic, MaterialError, Orthotropic, PlasticPly, Ply, PlyMaterial};
+
+use super::build::Builder;
+use super::material::{SectionSpec, plastic};
+use crate::bodies::refusal::model_error;
+use crate::scene::error::SceneError;
+use crate::scene::scope::Scope;
+use crate::scene::{self, Layered, Material};
+
+impl Builder<'_> {
+    /// Plies in a shell of a material, whose keys stand below `s`.
+    ///
+    /// # Errors
+    /// [`SceneError`] for numbers out of bounds.
+    pub(super) fn plies(
+        &self,
+        shell: &Material,
+        section: &Layered,
+        s: &Scope<'_>,
+    ) -> Result<SectionSpec, SceneError> {
+        let mut all = Vec::with_capacity(section.plies.len());
+        for (i, ply) in section.plies.iter().enumerate() {
+            let own = match ply.material {
+                Some(_) => s.below(&format!("section.layered.plies[{i}]")),
+                None => s.clone(),
+            };
+            let of = ply.material(shell);
+            let refuse = |error: MaterialError| {
+                model_error(
+                    self.scene.source,
+                    &own.path(&format!("material.{}", of.word())),
+                    &error.to_string(),
+                )
+            };
+            let material = made_of(of, ply).map_err(refuse)?;
+            all.push(PlasticPly { material, thickness: ply.thickness.get(), angle: ply.angle.to_radians() });
+        }
+        let yields = all.iter().any(|ply| matches!(ply.material, PlyMaterial::Plastic(..)));
+        Ok(if yields {
+            SectionSpec::Yielding(all)
+        } else {
+            SectionSpec::Layered(all.iter().map(PlasticPly::elastic).collect::<Vec<Ply>>())
+        })
+    }
+}
+
+/// What a ply is made of.
+fn made_of(material: &Material, ply: &scene::Ply) -> Result<PlyMaterial, MaterialError> {
+    Ok(match material {
+        Material::Orthotropic(m) => {
+            let across = m.shear_across.unwrap_or(m.shear);
+            PlyMaterial::Orthotropic(Orthotropic::new(
+                *m.young_along,
+                *m.young_across,
+                m.poisson,
+                *m.shear,
+                *across,
+            )?)
+        }
+        Material::Elastic(m) => PlyMaterial::Elastic(Isotropic::new(m.young.get(), m.poisson)?),
+        Material::Plastic(m) => PlyMaterial::Plastic(plastic(m)?, ply.slices()),
+        // The checks leave a ply no other.
+        Material::Rubber(_) | Material::File(_) => return Err(MaterialError::NoPlies),
+    })
+}
