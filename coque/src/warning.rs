@@ -128,6 +128,8 @@ pub enum WarningKind {
     BeyondData,
     /// Much of the work goes into the control of zero-energy modes of cells that yield.
     StiffControl,
+    /// Hinges along clamped edges that are wide for the span.
+    CoarseHinge,
     /// Cells of a shell that yields which are drawn thin and harden by less than that.
     Necking,
     /// States at which a march came to rest without a look at whether they are stable.
@@ -201,6 +203,7 @@ impl WarningKind {
             Self::FewSlices => "few-slices",
             Self::BeyondData => "beyond-data",
             Self::StiffControl => "stiff-control",
+            Self::CoarseHinge => "coarse-hinge",
             Self::Necking => "necking",
             Self::StabilityUnknown => "stability-unknown",
             Self::OpenBalance => "open-balance",

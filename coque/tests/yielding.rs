@@ -240,6 +240,24 @@ fn doubtful_numbers_are_warned_of() {
     };
     assert!(cells("[5, 5]").contains(&WarningKind::StiffControl));
     assert!(!cells("[21, 21]").contains(&WarningKind::StiffControl));
+    let clamped = |particles: &str| {
+        let bent = [
+            ("geometry.plate.particles", particles),
+            ("supports[0]", "{ on = 'u0', clamped = {} }"),
+            ("loads[0]", "{ on = 'u1', force = { total = [0.0, 0.0, 0.016] } }"),
+            ("analysis.static.levels", "[0.6, 0.8, 0.9, 1.0]"),
+        ];
+        kinds(STRIP, &bent)
+    };
+    assert!(clamped("[11, 3]").contains(&WarningKind::CoarseHinge));
+    assert!(!clamped("[41, 3]").contains(&WarningKind::CoarseHinge));
+    let mesh = ("geometry.mesh.file", "\"meshes/disc-yielding.inp\"");
+    let disc = |rim: &str| kinds("meshes/disc-yielding.toml", &[mesh, ("supports[2]", rim)]);
+    assert!(disc("{ on = \"RIM\", clamped = {} }").contains(&WarningKind::CoarseHinge));
+    assert!(
+        !disc("{ on = \"RIM\", held = { displacement = [[0.0, 0.0, 1.0]] } }")
+            .contains(&WarningKind::CoarseHinge)
+    );
 }
 
 /// A load in twice the levels: half of the error, which is that of directions of flow at the end of a step and of the control's share of the step before.

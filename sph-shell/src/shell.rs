@@ -104,6 +104,11 @@ impl Shell {
         self.constraint(particle).is_some_and(Constraint::holds)
     }
 
+    /// Whether supports leave neither the position nor the director of a particle free.
+    pub fn is_clamped(&self, particle: usize) -> bool {
+        self.constraint(particle).is_some_and(Constraint::clamps)
+    }
+
     pub(crate) fn constraint(&self, particle: usize) -> Option<&Constraint> {
         self.constraints.of(particle)
     }

@@ -196,6 +196,11 @@ impl Constraint {
         Self { held, director, motion: None, rotation: None, rest, tied: false }
     }
 
+    /// Whether it leaves neither the position nor the director free.
+    pub(crate) fn clamps(&self) -> bool {
+        self.director == DirectorHold::Fixed && self.held.basis().len() == 3
+    }
+
     /// Whether what is asked of another particle is asked of this one as well.
     pub(crate) fn implies(&self, other: &Self) -> bool {
         let held = |n: &Vec3| Vec3::from(self.held.free_part((*n).into())).norm() < 1e-9;
