@@ -7,9 +7,9 @@ use sph_core::Vec3;
 const FLAT: f64 = 1e-12;
 /// Square of the distance, over that of the farthest node, below which a fit goes through a node.
 const AT_NODE: f64 = 1e-4;
-/// Weight of the curvature beside that of nodes: it is none where they do not tell it.
-const UNTOLD: f64 = 1e-6;
-/// Iterations of the projection on a quadrilateral: it halves nothing, Newton's method on a smooth surface.
+/// Weight of the curvature beside that of nodes: it is none where they do not show it.
+const UNSEEN: f64 = 1e-6;
+/// Iterations of the projection on a quadrilateral, that of Gauss and Newton.
 const ITERATIONS: usize = 30;
 /// Change of a coordinate of a quadrilateral at which they end \[–\].
 const SETTLED: f64 = 1e-14;
@@ -77,14 +77,14 @@ impl Foot {
             let near = u * u + v * v + AT_NODE;
             (Vector6::new(1.0, u, v, u * u, u * v, v * v), 1.0 / (near * near))
         };
-        // What nodes do not tell of the curvature is none; a linear field is fitted without error.
-        let mut sums = Matrix6::from_diagonal(&(Vector6::new(0.0, 0.0, 0.0, 4.0, 2.0, 4.0) * UNTOLD));
+        // Curvature that nodes do not show is none; a linear field is fitted without error.
+        let mut sums = Matrix6::from_diagonal(&(Vector6::new(0.0, 0.0, 0.0, 4.0, 2.0, 4.0) * UNSEEN));
         let all: Vec<(Vector6<f64>, f64)> = nodes.iter().map(terms).collect();
         all.iter().for_each(|(own, near)| sums += own * own.transpose() * *near);
         let inverse = sums.cholesky()?;
         let of = |row: usize| -> Vec<f64> {
-            let told = inverse.solve(&Vector6::ith(row, 1.0));
-            all.iter().map(|(own, near)| told.dot(own) * near).collect()
+            let weights = inverse.solve(&Vector6::ith(row, 1.0));
+            all.iter().map(|(own, near)| weights.dot(own) * near).collect()
         };
         Self::exact(point, nodes, of(0), [of(1), of(2)])
     }
@@ -167,7 +167,7 @@ fn in_quadrilateral(point: &Vec3, corners: &[Vec3]) -> ([f64; 2], f64) {
         let next = [0, 1].map(|k: usize| (place[k] + ways[k]).clamp(0.0, 1.0));
         let moved = (next[0] - place[0]).abs().max((next[1] - place[1]).abs());
         place = next;
-        if !(moved > SETTLED) {
+        if moved <= SETTLED || moved.is_nan() {
             break;
         }
     }

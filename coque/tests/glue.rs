@@ -4,8 +4,6 @@
 
 mod common;
 
-use std::fmt::Write as _;
-
 use common::refused::refused;
 use common::sittings::stopped_again_and_again;
 use common::{column, last, overridden, ran, run, text};
@@ -362,8 +360,7 @@ fn glued_bodies_go_on_to_the_same_bits_on_any_number_of_threads() {
 fn what_glue_cannot_join_is_refused() {
     let fluid = "[bodies.water.fluid]\ngeometry.block = { lengths = [1, 1, 1], spacing = 0.5 }\nmaterial.liquid = { density = 1, sound_speed = 9 }\nformulation.weakly-compressible = {}\n";
     let grip = "[bodies.grip.rigid]\ngeometry.ball = { centre = [0, 0, 50], radius = 9, spacing = 3 }\ndensity = 1\n[sets.lap]";
-    let mut contact = String::from("[[contact]]\nbetween = [\"upper\", \"lower\"]\n");
-    write!(contact, "[[glue]]").unwrap();
+    let contact = "[[contact]]\nbetween = [\"upper\", \"lower\"]\n[[glue]]";
     let cases = [
         ("a body that is none", "to = \"lower\"", "to = \"lowr\""),
         ("its own body", "to = \"lower\"", "to = \"upper\""),
@@ -374,10 +371,9 @@ fn what_glue_cannot_join_is_refused() {
         (
             "a set of a rigid body",
             "[sets.lap]",
-            &format!("{grip}")
-                .replace("[sets.lap]", "[[glue]]\non = \"grip.all\"\nto = \"lower\"\n[sets.lap]"),
+            &grip.replace("[sets.lap]", "[[glue]]\non = \"grip.all\"\nto = \"lower\"\n[sets.lap]"),
         ),
-        ("glue and contact", "[[glue]]", &contact),
+        ("glue and contact", "[[glue]]", contact),
         ("no stiffness", "to = \"lower\"", "to = \"lower\"\nstiffness = 0"),
         ("beside a fluid", "[sets.lap]", &format!("{fluid}[sets.lap]")),
         (

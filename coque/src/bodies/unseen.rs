@@ -5,7 +5,7 @@ use contact::{Bystander, TooNear};
 use super::body::{Body, Configuration};
 use super::outline::Outline;
 use crate::scene::Scene;
-use crate::scene::glue::glued;
+use crate::scene::glued::glued;
 use crate::scene::joints::joints;
 
 /// Pairs of bodies of a scene between which it names no contact, and shells that do not touch themselves.

@@ -8,7 +8,7 @@ use sph_core::Vec3;
 use super::analysis::Analysis;
 use super::curve::Probe;
 use super::error::SceneError;
-use super::glue::glued;
+use super::glued::glued;
 use super::imperfection::Imperfection;
 use super::joints::joints;
 use super::loads::Load;

@@ -11,7 +11,7 @@ use super::layout::Layout;
 use super::near::Near;
 use crate::bodies::GlueNow;
 use crate::scene::error::SceneError;
-use crate::scene::glue::{GlueInScene, glued};
+use crate::scene::glued::{GlueInScene, glued};
 use crate::scene::{Analysis, Scene};
 
 /// Share of the square of the fastest motion of all bodies that glue may add in time: steps shorten by 1/√1.2, as by contact.

@@ -4,7 +4,7 @@ use super::contact::without_surface;
 use super::sets::check_set_name;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
-use crate::scene::glue::{GlueInScene, glued};
+use crate::scene::glued::{GlueInScene, glued};
 use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::source::suggest;
 
