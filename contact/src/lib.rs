@@ -80,6 +80,7 @@
 //! | how far a motion may go before what touches a tool is another | `changes.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
 //! | springs between places of two bodies | `joints.rs` |
+//! | points glued to surfaces; where they stand over them | `glue.rs`; `foot.rs` |
 //!
 //! # What holds, and the test that says so
 //!
@@ -91,6 +92,7 @@
 //! | forces are the gradient of the energy, the tangent that of the forces, for every tool | tests/derivatives.rs |
 //! | work of friction is what it loses and what its anchors store; a tool that turns drags | tests/friction.rs |
 //! | springs between places: forces and blocks are derivatives, momentum is kept, the bound lies above the frequency | src/joints.rs |
+//! | glued points: forces and blocks are derivatives, momentum and moment of momentum are kept, rigid motions cost nothing | tests/glue.rs |
 //! | turned and in other units the answer is the same | tests/relations.rs |
 //! | the same of pairs of features, of edges that cross, of two surfaces | `gradient_and_second_derivative_of_every_kind_of_pair_are_those_of_the_distance`, `forces_of_two_edges_are_the_gradient_of_their_energy_nearly_parallel_ones_too`, tests/surfaces.rs |
 //! | every nearest place counts once; what slides over a plane feels no ripple | `every_nearest_place_counts_once_at_faces_rims_notches_and_corners`, `what_slides_over_a_plane_feels_no_ripple` |
@@ -103,7 +105,9 @@
 mod changes;
 mod edges;
 mod euler;
+mod foot;
 mod friction;
+mod glue;
 mod grips;
 mod joints;
 mod law;
@@ -124,7 +128,9 @@ mod unseen;
 mod watch;
 
 pub use changes::{FrontChange, Motion, Turn};
+pub use foot::{Foot, Nearest};
 pub use friction::Friction;
+pub use glue::{Glue, Glued};
 pub use joints::{Joint, Joints};
 pub use law::Law;
 pub use mesh::Mesh;

@@ -122,6 +122,8 @@ pub enum WarningKind {
     FrozenContact,
     /// Bodies between which no contact is named, or parts of a shell, that are in each other.
     TouchingUnseen,
+    /// Glue between bodies that gives way as the bodies do.
+    SoftGlue,
     /// Few points through the thickness of a section that yields.
     FewSlices,
     /// Plastic strains beyond the last row of a table of hardening.
@@ -200,6 +202,7 @@ impl WarningKind {
             Self::ShortenedStep => "shortened-step",
             Self::FrozenContact => "frozen-contact",
             Self::TouchingUnseen => "touching-unseen",
+            Self::SoftGlue => "soft-glue",
             Self::FewSlices => "few-slices",
             Self::BeyondData => "beyond-data",
             Self::StiffControl => "stiff-control",
@@ -292,6 +295,7 @@ mod tests {
             WarningKind::ShortenedStep,
             WarningKind::FrozenContact,
             WarningKind::TouchingUnseen,
+            WarningKind::SoftGlue,
             WarningKind::StabilityUnknown,
             WarningKind::OpenBalance,
         ] {

@@ -68,6 +68,7 @@ fn said(scene: Checked) -> String {
         supports,
         loads,
         contact,
+        glue,
         analysis,
         coupling,
         curve,
@@ -85,7 +86,7 @@ fn said(scene: Checked) -> String {
             bodies,
             sets,
             supports,
-            (loads, contact),
+            (loads, contact, glue),
             (analysis, coupling),
             curve,
             (output, error)

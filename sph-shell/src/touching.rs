@@ -26,6 +26,15 @@ impl Shell {
         half.into_iter().filter(|half| *half > 0.0).reduce(f64::min)
     }
 
+    /// Least membrane stiffness of all its sections, of a homogeneous one Young's modulus times the thickness \[F/L\].
+    pub fn least_membrane_stiffness(&self) -> f64 {
+        let scales = self.material.scales();
+        std::iter::once(scales.uniform)
+            .chain(scales.own)
+            .map(|own| own.membrane)
+            .fold(f64::INFINITY, f64::min)
+    }
+
     /// Whether its stiffness of contact is what the thickness gives, not what steps in time bear.
     pub fn thickness_bounds_contact(&self) -> bool {
         let scales = self.material.scales();

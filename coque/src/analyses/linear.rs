@@ -10,6 +10,7 @@ use super::path::loaded;
 use crate::WarningKind;
 use crate::bodies::{Configuration, Probe, Resultant, StaticBody, extent};
 use crate::run::Run;
+use crate::run::glue_watch;
 use crate::run::outcome::Ended;
 use crate::run::record::{ConjugateSummary, Energies};
 use crate::scene::{Linear, LinearSolver};
@@ -23,6 +24,9 @@ use crate::scene::{Linear, LinearSolver};
 /// off by 1e-7, 1e-8, 6e-10 at 1e-4, 1e-3, 1e-2 thicknesses. One difference alone cuts off the stretch that bending
 /// brings about, (displacement over thickness)²: 2e-6 there at 1e-2. The two cut off its square.
 const REACH: f64 = 1e-2;
+
+/// Part of that at which glue is looked at: second-order ways of stiff glue are squares of it.
+const SMALL: f64 = 1e-2;
 
 /// Finds the linear answer at level one and reads the curve's one row.
 pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
@@ -58,6 +62,7 @@ pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run
             reading.extend(system.forces());
         }
     }
+    note_glue(system, &rest, &motion, step, run);
     let [here, ahead, beyond, behind, before] = readings;
     system.restore(&rest);
     let internal = if system.has_moving_supports() {
@@ -103,6 +108,18 @@ pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run
         system.restore(&rest);
     }
     Ended::Done
+}
+
+/// Notes what glue does in the linear answer, by a motion so small that turns do not count.
+fn note_glue(system: &mut dyn StaticBody, rest: &[f64], motion: &[f64], step: f64, run: &mut Run<'_>) {
+    if system.glue().is_empty() {
+        return;
+    }
+    let small = SMALL * step;
+    system.restore(rest);
+    system.update(&scaled(motion, small));
+    system.refresh(loaded(run, small));
+    glue_watch::note(&*system, 1.0 / small, &mut run.record);
 }
 
 /// How a linear answer was found.

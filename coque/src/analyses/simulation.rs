@@ -15,6 +15,7 @@ use crate::results::curve::Curve;
 use crate::run::Run;
 use crate::run::checkpoint::{CheckpointError, Stage};
 use crate::run::contact_watch::ContactWatch;
+use crate::run::glue_watch;
 use crate::run::outcome::{Ended, Failure, Outcome};
 
 /// A run under way: a model, how far its analysis has come, and what was found so far.
@@ -263,6 +264,8 @@ impl<'a> Simulation<'a> {
         record.fluid = found.fluid;
         record.warnings.extend(found.warnings);
         ContactWatch::judge(&mut record);
+        let internal = curve.column("internal").unwrap_or_default();
+        glue_watch::judge(&mut record, internal.into_iter().fold(0.0, f64::max));
         shapes.extend(latest);
         let cells = model.body.body().configuration().cells.to_vec();
         // Modes and linear answers are drawn larger than they are.

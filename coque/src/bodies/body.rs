@@ -12,6 +12,7 @@ use sph_core::{Cell, Vec3};
 use super::contact_now::{ContactFields, ContactNow};
 use super::field_source::{FieldRequest, FieldSource};
 use super::figures::FluidFigures;
+use super::glue_now::GlueNow;
 use super::outline::Outline;
 use super::resultants::{LoadResultants, Resultant};
 use super::sampled::POINT_NUMBERS;
@@ -99,6 +100,11 @@ pub trait Body: Send {
 
     /// The contacts of all of its bodies, with what they do now.
     fn contacts(&self) -> Vec<ContactNow> {
+        Vec::new()
+    }
+
+    /// The glue between its bodies, with what it does now.
+    fn glue(&self) -> Vec<GlueNow> {
         Vec::new()
     }
 

@@ -11,6 +11,7 @@
 //! | which rigid motions are free | `rigid.rs` |
 //! | bodies that nothing keeps apart | `outline.rs`, `unseen.rs` |
 //! | contacts with what they do now, and their names | `contact_now.rs`, `contacts_of_scene.rs` |
+//! | glue with what it does now | `glue_now.rs` |
 //! | shells; solids with bonds, without; fluids and walls | `shell/`; `solid/`, `galerkin/`; `fluid/` |
 //! | rigid bodies | `rigid_body/` |
 //! | several bodies as one, and what bodies do to each other, in a fluid too | `together/` |
@@ -27,6 +28,7 @@ mod field_source;
 mod figures;
 mod fluid;
 mod galerkin;
+mod glue_now;
 mod imperfect;
 pub(crate) mod memory;
 pub(crate) mod model;
@@ -54,6 +56,7 @@ use built_body::BuiltBody;
 pub use contact_now::{ContactFields, ContactNow, Spanned, With};
 pub use field_source::{FieldRequest, FieldSource, Part, State};
 pub use figures::FluidFigures;
+pub use glue_now::GlueNow;
 pub use memory::Memory;
 pub(crate) use model::Identity;
 pub use model::{Model, NoPush, Task};

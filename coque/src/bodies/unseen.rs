@@ -5,6 +5,7 @@ use contact::{Bystander, TooNear};
 use super::body::{Body, Configuration};
 use super::outline::Outline;
 use crate::scene::Scene;
+use crate::scene::glued::glued;
 use crate::scene::joints::joints;
 
 /// Pairs of bodies of a scene between which it names no contact, and shells that do not touch themselves.
@@ -17,7 +18,7 @@ pub(crate) struct Unseen {
 #[derive(Debug)]
 struct Pair {
     of: [usize; 2],
-    /// Whether springs join them.
+    /// Whether springs or glue join them.
     joined: bool,
 }
 
@@ -26,6 +27,10 @@ impl Unseen {
     pub fn of(scene: &Scene, body: &dyn Body) -> Option<Self> {
         let outlines = body.outlines();
         let joints = joints(scene).unwrap_or_default();
+        let glue = match outlines.len() {
+            0 | 1 => Vec::new(),
+            _ => glued(scene).unwrap_or_default(),
+        };
         let name = |number: usize| outlines[number].name.as_deref();
         let touch = |i: usize, j: usize| {
             let [of_i, of_j] = [i, j].map(|number| name(number).unwrap_or_default());
@@ -37,6 +42,7 @@ impl Unseen {
         let joined = |i: usize, j: usize| {
             let of = [i, j].map(|number| name(number).unwrap_or_default());
             joints.iter().any(|joint| joint.ends.iter().all(|(body, _)| of.contains(body)))
+                || i != j && glue.iter().any(|glue| of.iter().all(|body| glue.is_of(body)))
         };
         let mut pairs = Vec::new();
         for i in 0..outlines.len() {

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 83] = [
+const EXAMPLES: [Example; 84] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
@@ -64,6 +64,7 @@ const EXAMPLES: [Example; 83] = [
     Example::new("gate", 7.0, include_str!("../../../scenes/gate.toml")),
     Example::new("gate-on-sill", 8.0, include_str!("../../../scenes/gate-on-sill.toml")),
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),
+    Example::new("glued-lap", 2.0, include_str!("../../../scenes/glued-lap.toml")),
     Example::new("heavy-end", 0.1, include_str!("../../../scenes/heavy-end.toml")),
     Example::new("hemisphere", 0.1, include_str!("../../../scenes/hemisphere.toml")),
     Example::new("hemisphere-on-flat", 3.0, include_str!("../../../scenes/hemisphere-on-flat.toml")),

@@ -2,6 +2,7 @@
 
 use explicit_dynamics::Record;
 
+use super::glue_watch;
 use super::record::{ContactSummary, RowsSummary, RunRecord, ShortenedSummary};
 use crate::WarningKind;
 use crate::bodies::contacts_of_scene::ContactsOfScene;
@@ -39,6 +40,7 @@ impl ContactWatch {
 
     /// Notes what each contact does at a time \[T\], zero without time, and a level.
     pub fn note(&self, body: &dyn Body, [time, level]: [f64; 2], found: &mut RunRecord) {
+        glue_watch::note(body, 1.0, found);
         for (number, now) in body.contacts().iter().enumerate() {
             if number == found.contacts.len() {
                 let set_by = now.by_thickness.map(|own| if own { "thickness" } else { "step" });

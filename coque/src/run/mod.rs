@@ -4,6 +4,7 @@ mod active_run;
 pub(crate) mod checkpoint;
 pub(crate) mod contact_watch;
 pub(crate) mod folder;
+pub(crate) mod glue_watch;
 pub(crate) mod impulses;
 pub(crate) mod outcome;
 pub(crate) mod progress;

@@ -40,6 +40,8 @@ pub struct RunRecord {
     pub balance: Option<BalanceSummary>,
     /// What each contact did; empty without contact.
     pub contacts: Vec<ContactSummary>,
+    /// What glue between bodies did; empty without any.
+    pub glue: Vec<GlueSummary>,
     /// Steps in time that contact made shorter; none where it did not.
     pub shortened: Option<ShortenedSummary>,
     /// How each load level ended; empty without levels.
@@ -156,6 +158,23 @@ impl Energies {
     pub(crate) fn at_rest(internal: f64) -> Self {
         Self { internal, external: internal, ..Self::default() }
     }
+}
+
+/// Glue of a set of one body to another, over all records.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GlueSummary {
+    /// The set and the body that it joins.
+    pub between: String,
+    /// Number of particles that are glued.
+    pub particles: usize,
+    /// Their stiffnesses, summed \[F/L\].
+    pub stiffness: f64,
+    /// Greatest distance of a particle from where it is held, at a record \[L\].
+    pub greatest_gap: f64,
+    /// The same over the spacing of the bodies \[–\].
+    pub gap_over_spacing: f64,
+    /// Greatest energy stored at a record \[F L\].
+    pub greatest_energy: f64,
 }
 
 /// A contact, over all records.

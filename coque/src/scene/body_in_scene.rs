@@ -8,6 +8,7 @@ use sph_core::Vec3;
 use super::analysis::Analysis;
 use super::curve::Probe;
 use super::error::SceneError;
+use super::glued::glued;
 use super::imperfection::Imperfection;
 use super::joints::joints;
 use super::loads::Load;
@@ -81,8 +82,10 @@ pub(crate) struct BodyInScene<'a> {
     pub together: bool,
     /// Whether it is built together with a fluid, or is one.
     pub in_fluid: bool,
-    /// Whether a spring joins it to another body.
+    /// Whether a spring or glue joins it to another body.
     pub joined: bool,
+    /// Whether glue does.
+    pub glued: bool,
 }
 
 impl<'a> BodyInScene<'a> {
@@ -94,6 +97,7 @@ impl<'a> BodyInScene<'a> {
         let (together, in_fluid) = (scene.is_together(), scene.fluid().is_some());
         let structure = in_fluid && matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_));
         let joints = joints(scene)?;
+        let glued = together && glued(scene)?.iter().any(|glue| glue.is_of(name));
         let mut supports = on_body(scene, name, "supports", &scene.supports, |support| &support.on)?;
         supports.retain(|support| joints.iter().all(|joint| joint.path != support.path));
         let sets = scene.sets.iter().map(|(name, region)| (name.as_str(), region));
@@ -114,7 +118,8 @@ impl<'a> BodyInScene<'a> {
                 .collect(),
             together,
             in_fluid,
-            joined: joints.iter().any(|joint| joint.ends.iter().any(|(body, _)| *body == name)),
+            joined: glued || joints.iter().any(|joint| joint.ends.iter().any(|(body, _)| *body == name)),
+            glued,
         })
     }
 

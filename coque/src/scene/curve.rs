@@ -91,6 +91,7 @@ impl Take {
             Measured::Reaction
             | Measured::ContactForce
             | Measured::ContactMoment
+            | Measured::GlueForce
             | Measured::TouchingArea
             | Measured::FractureEnergy
             | Measured::FrictionLoss
@@ -130,6 +131,10 @@ pub enum Measured {
     GreatestDepth,
     /// Area of a shell that touches \[L²\].
     TouchingArea,
+    /// Component of the force that glue exerts on the body \[F\].
+    GlueForce,
+    /// Component of the way from where glue holds a particle to where it is \[L\]: of particles of sets that are glued.
+    GlueGap,
     /// Energy that friction has taken of a shell \[F L\]: on tools, and one half of what it took where the shell rubs on another or on itself.
     FrictionLoss,
     /// Equivalent plastic strain of a body that yields, the greatest through the thickness of a shell and of the cells round a particle \[–\]. The largest
@@ -199,6 +204,8 @@ impl Measured {
             Self::ContactGap => "contact-gap",
             Self::GreatestDepth => "greatest-depth",
             Self::TouchingArea => "touching-area",
+            Self::GlueForce => "glue-force",
+            Self::GlueGap => "glue-gap",
             Self::FrictionLoss => "friction-loss",
             Self::PlasticStrain => "plastic-strain",
             Self::Thickness => "thickness",
@@ -233,10 +240,11 @@ impl Measured {
             Self::Displacement
             | Self::Position
             | Self::ContactGap
+            | Self::GlueGap
             | Self::Thickness
             | Self::Level
             | Self::WetLength => Quantity::Length,
-            Self::Reaction | Self::ContactForce | Self::Force => Quantity::Force,
+            Self::Reaction | Self::ContactForce | Self::GlueForce | Self::Force => Quantity::Force,
             Self::Rotation => Quantity::Angle,
             Self::Director | Self::Damage | Self::GreatestDepth | Self::PlasticStrain | Self::Pieces => {
                 Quantity::Ratio

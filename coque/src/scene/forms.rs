@@ -12,8 +12,10 @@ use super::source::{BODIES, Source, unknown};
 
 /// All keys at the top of a scene, in either form.
 fn words() -> Vec<&'static str> {
-    let others =
-        [BODIES, "sets", "supports", "loads", "contact", "analysis", "coupling", "curve", "output", "error"];
+    let others = [
+        BODIES, "sets", "supports", "loads", "contact", "glue", "analysis", "coupling", "curve", "output",
+        "error",
+    ];
     [&["title", "units"], &ShellScene::WORDS[..], &others].concat()
 }
 

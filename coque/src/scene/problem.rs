@@ -13,6 +13,7 @@ use super::contact::ContactScene;
 use super::coupling::Coupling;
 use super::curve::{Measured, Probe};
 use super::fluid::FluidScene;
+use super::glue::GlueScene;
 use super::loads::Load;
 use super::output::{ErrorBars, Output};
 use super::rigid::RigidScene;
@@ -52,6 +53,9 @@ pub struct Scene {
     /// Surfaces that may touch.
     #[serde(default)]
     pub contact: Vec<ContactScene>,
+    /// Sets of bodies that are glued to the surfaces of others.
+    #[serde(default)]
+    pub glue: Vec<GlueScene>,
     /// How to find answers.
     pub analysis: Analysis,
     /// How a fluid and the structures in it take turns.

@@ -166,9 +166,32 @@ impl Acting {
         first: &[usize],
         values: &mut [f64],
     ) {
+        self.add_blocks(systems, first, values, |blocks| self.interaction.stiffness(&self.places, blocks));
+    }
+
+    /// Adds its stiffness at places here with the forces of the places last evaluated ([`Interaction::stressed`]).
+    pub fn add_stressed<S: Joinable + ?Sized>(
+        &self,
+        here: &[[f64; 3]],
+        systems: &[Box<S>],
+        first: &[usize],
+        values: &mut [f64],
+    ) {
+        self.add_blocks(systems, first, values, |blocks| {
+            self.interaction.stressed(here, &self.places, blocks)
+        });
+    }
+
+    fn add_blocks<S: Joinable + ?Sized>(
+        &self,
+        systems: &[Box<S>],
+        first: &[usize],
+        values: &mut [f64],
+        fill: impl FnOnce(&mut [[[f64; 3]; 3]]),
+    ) {
         let moves = self.moves(systems, first);
         let mut blocks = vec![[[0.0; 3]; 3]; self.pairs.len()];
-        self.interaction.stiffness(&self.places, &mut blocks);
+        fill(&mut blocks);
         self.visit(&moves, &blocks, |number, _, value| values[self.targets[number]] += value);
     }
 
@@ -177,6 +200,33 @@ impl Acting {
         let mut rates = vec![[0.0; 3]; self.places.len()];
         if !self.interaction.rates(&self.places, &mut rates) {
             return;
+        }
+        for (moves, rate) in self.moves(systems, first).iter().zip(&rates) {
+            moves.iter().for_each(|(unknown, way)| out[*unknown] += dot(way, rate));
+        }
+    }
+
+    /// Adds what a unit of level adds to its forces where supports lead places by these ways; nothing where they lead none.
+    pub fn add_led<S: Joinable + ?Sized>(
+        &self,
+        ways: &[[f64; 3]],
+        systems: &[Box<S>],
+        first: &[usize],
+        out: &mut [f64],
+    ) {
+        if ways.iter().flatten().all(|way| *way == 0.0) {
+            return;
+        }
+        let mut blocks = vec![[[0.0; 3]; 3]; self.pairs.len()];
+        self.interaction.stiffness(&self.places, &mut blocks);
+        let mut rates = vec![[0.0; 3]; self.places.len()];
+        for (&[a, b], block) in self.pairs.iter().zip(&blocks) {
+            for i in 0..3 {
+                rates[a][i] -= dot(&block[i], &ways[b]);
+                if a != b {
+                    rates[b][i] -= (0..3).map(|j| block[j][i] * ways[a][j]).sum::<f64>();
+                }
+            }
         }
         for (moves, rate) in self.moves(systems, first).iter().zip(&rates) {
             moves.iter().for_each(|(unknown, way)| out[*unknown] += dot(way, rate));

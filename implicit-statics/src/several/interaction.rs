@@ -90,6 +90,18 @@ pub trait Interaction: Any + Send {
         false
     }
 
+    /// Whether forces that come about where supports of the systems lead its places count in what a unit of level adds: of what is joined
+    /// as if it were one.
+    fn is_led(&self) -> bool {
+        false
+    }
+
     /// Second derivatives of its energy at places, those last evaluated, a block for each of [`Interaction::pairs`] \[F/L\].
     fn stiffness(&self, places: &[[f64; 3]], blocks: &mut [[[f64; 3]; 3]]);
+
+    /// The same at places here, with the forces that act at places there, a small motion away, and without its change of shape: what is as stiff as
+    /// a constraint would else soften by the square of that change.
+    fn stressed(&self, _here: &[[f64; 3]], there: &[[f64; 3]], blocks: &mut [[[f64; 3]; 3]]) {
+        self.stiffness(there, blocks);
+    }
 }

@@ -13,12 +13,12 @@ const ALIKE: f64 = 1e-9;
 
 /// Systems that are solved together, and what they do to each other.
 pub struct Several<S: ?Sized> {
-    systems: Vec<Box<S>>,
+    pub(super) systems: Vec<Box<S>>,
     /// First unknown of each, and the end.
-    first: Vec<usize>,
+    pub(super) first: Vec<usize>,
     /// First entry of each in the pattern, and the end; found when a tangent is first asked for.
     entries: OnceCell<Vec<usize>>,
-    acting: Vec<Acting>,
+    pub(super) acting: Vec<Acting>,
 }
 
 impl<S: Joinable + ?Sized> Several<S> {
@@ -82,7 +82,7 @@ impl<S: Joinable + ?Sized> Several<S> {
         all
     }
 
-    fn entries(&self) -> &Vec<usize> {
+    pub(super) fn entries(&self) -> &Vec<usize> {
         self.entries.get_or_init(|| {
             let mut end = 0;
             let next = self.systems.iter().map(|system| {
@@ -193,9 +193,13 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     }
 
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
+        let led = self.led(level);
         self.act(level);
         self.parts(|own| &own.first).for_each(|(system, range)| system.load_rate(level, &mut out[range]));
         self.acting.iter().for_each(|acting| acting.add_rates(&self.systems, &self.first, out));
+        for (acting, ways) in self.acting.iter().zip(&led) {
+            acting.add_led(ways, &self.systems, &self.first, out);
+        }
     }
 
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
@@ -246,30 +250,27 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     }
 
     fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
-        self.act(level);
+        let here = self.act_after([level, level], motion);
         let first = self.first.clone();
         let offered = self.parts(Self::entries).enumerate().all(|(number, (system, range))| {
             let motion = &motion[first[number]..first[number + 1]];
             system.stressed_tangent(level, motion, &mut values[range])
         });
         if offered {
-            self.add_stiffness(values);
+            self.add_stressed(&here, values);
         }
         offered
     }
 
-    /// What they do to each other is that of the state at the end of the motion, and fixed in space.
+    /// Of what they do to each other the forces are those of the state at the end of the motion.
     fn turned_tangent(&mut self, levels: [f64; 2], motion: &[f64], values: &mut [f64]) {
-        let rest = self.save();
-        self.update(motion);
-        self.act(levels[1]);
-        self.restore(&rest);
+        let here = self.act_after(levels, motion);
         let first = self.first.clone();
         for (number, (system, range)) in self.parts(Self::entries).enumerate() {
             let motion = &motion[first[number]..first[number + 1]];
             system.turned_tangent(levels, motion, &mut values[range]);
         }
-        self.add_stiffness(values);
+        self.add_stressed(&here, values);
     }
 
     fn driving_force(&self) -> f64 {

@@ -6,13 +6,14 @@ use std::ops::Range;
 use contact::NodalContact;
 use sph_core::Vec3;
 
+use super::glue::GluedBodies;
 use super::kept::{kept_between, take_up_between};
 use super::layout::Layout;
 use super::parts::Parts;
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, Mismatch, StateArray};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{ContactNow, FieldRequest, FieldSource, Outline, Yielding};
+use crate::bodies::{ContactNow, FieldRequest, FieldSource, GlueNow, Outline, Yielding};
 use crate::scene::Measured;
 
 /// Bodies that are solved together, with their places one behind the other.
@@ -30,7 +31,17 @@ impl<S: Parts> Body for Together<S> {
 
     fn read(&self, of: Measured, particle: usize, along: &Vec3) -> f64 {
         let (body, own) = self.layout.place(particle);
-        self.system.read(&self.layout.contacts, of, [body, own], along)
+        let glue = self.layout.glue.clone();
+        match of {
+            Measured::GlueForce => {
+                glue.map(|number| self.system.force_on(number, body, own)).sum::<Vec3>().dot(along)
+            }
+            Measured::GlueGap => {
+                let all = glue.filter_map(|number| self.system.glued(number));
+                all.map(|glue| glue.gap(body, own as u32)).sum::<Vec3>().dot(along)
+            }
+            _ => self.system.read(&self.layout.contacts, of, [body, own], along),
+        }
     }
 
     fn counts_turns(&self, particle: usize) -> bool {
@@ -88,6 +99,11 @@ impl<S: Parts> Body for Together<S> {
 
     fn contacts(&self) -> Vec<ContactNow> {
         self.system.contacts(&self.layout.contacts)
+    }
+
+    fn glue(&self) -> Vec<GlueNow> {
+        let all = self.layout.glue.clone().filter_map(|number| self.system.glued(number));
+        all.map(GluedBodies::now).collect()
     }
 
     fn has_tools(&self, body: usize) -> bool {

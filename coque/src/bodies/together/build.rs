@@ -9,6 +9,8 @@ use sph_shell::StaticShell;
 
 use super::body::Together;
 use super::contact::{Side, TouchingBodies};
+use super::faces::Faces;
+use super::glue::{Bodies, GluedBodies};
 use super::joints::{BetweenBodies, SetsOfBodies};
 use super::layout::Layout;
 use super::on_tool::OnTool;
@@ -51,11 +53,12 @@ pub(in crate::bodies) fn together_model(
     bodies: &[BodyInScene<'_>],
     threads: usize,
 ) -> Result<Model, SceneError> {
-    let (mut made, mut sides) = (Vec::new(), Vec::new());
+    let (mut made, mut sides, mut faces) = (Vec::new(), Vec::new(), BTreeMap::new());
     for body in bodies {
-        let (part, side) = part(body, threads)?;
+        let Surfaced { part, side, own } = part(body, threads)?;
         made.push((body.name, part));
         sides.extend(side);
+        faces.extend(own.map(|own| (body.name.to_string(), own)));
     }
     let mut layout = Layout::default();
     let mut sets = SetsOfBodies::new();
@@ -65,6 +68,7 @@ pub(in crate::bodies) fn together_model(
     }
     let joints = BetweenBodies::find(scene, &layout, &sets)?;
     let contacts = contacts(scene, &layout.names, &sides)?;
+    let mut glue = Bodies { scene, layout: &layout, sets: &sets, faces: &faces }.glued()?;
     let rest = |(body, range): (_, &Range<usize>)| (body, &layout.rest[range.clone()]);
     let placed: Vec<_> = bodies.iter().zip(&layout.particles).map(rest).collect();
     let on_tools = on_tools(&placed, &sides)?;
@@ -76,12 +80,13 @@ pub(in crate::bodies) fn together_model(
     };
     let coarse = bodies.iter().filter_map(|body| galerkin_contact(scene, body));
     let warnings = made.iter_mut().flat_map(warned).chain(coarse).collect();
-    let description = described(
+    let mut description = described(
         scene,
         &made,
         joints.as_ref(),
         contacts.iter().map(TouchingBodies::line).chain(on_tools.iter().map(OnTool::line)),
     );
+    description.modelled.extend(glue.iter().map(GluedBodies::line));
     refuse_modes(scene, description.dof)?;
     let memory = made.iter().fold(Memory::default(), |sum, (_, part)| Memory {
         needed: sum.needed + part.memory.needed,
@@ -110,20 +115,28 @@ pub(in crate::bodies) fn together_model(
     }
     layout.contacts =
         usize::from(joints.is_some())..usize::from(joints.is_some()) + contacts.len() + on_tools.len();
+    layout.glue = layout.contacts.end..layout.contacts.end + glue.len();
     let body = match &scene.analysis {
         Analysis::Explicit(_) => {
+            pace(&mut glue, &mut marched);
             let springs = joints.map(|joints| Box::new(joints) as Box<dyn explicit_dynamics::Interaction>);
             let touching = contacts.into_iter().map(|own| Box::new(own) as _);
             let on_tools = on_tools.into_iter().map(|own| Box::new(own) as _);
-            let system = Marched::new(marched, springs.into_iter().chain(touching).chain(on_tools).collect());
+            let glue = glue.into_iter().map(|own| Box::new(own) as _);
+            let all = springs.into_iter().chain(touching).chain(on_tools).chain(glue);
+            let system = Marched::new(marched, all.collect());
             Ready::Dynamic(Box::new(Together { system, layout }))
         }
         _ => {
+            for own in &mut glue {
+                own.settle(|body, particles, out| balanced[body].places(particles, out));
+            }
             let springs = joints.map(|joints| Box::new(joints) as Box<dyn implicit_statics::Interaction>);
             let touching = contacts.into_iter().map(|own| Box::new(own) as _);
             let on_tools = on_tools.into_iter().map(|own| Box::new(own) as _);
-            let system =
-                Balanced::new(balanced, springs.into_iter().chain(touching).chain(on_tools).collect());
+            let glue = glue.into_iter().map(|own| Box::new(own) as _);
+            let all = springs.into_iter().chain(touching).chain(on_tools).chain(glue);
+            let system = Balanced::new(balanced, all.collect());
             Ready::Static(Box::new(Together { system, layout }))
         }
     };
@@ -180,46 +193,75 @@ fn described(
     }
 }
 
-/// Builds one of the bodies, with its surface where a contact names it.
-fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<(BuiltBody<Part>, Option<Side>), SceneError> {
+/// Makes glue as stiff as steps in time bear: those of the bodies alone, by the fastest motion of all.
+fn pace(glue: &mut [GluedBodies], marched: &mut [Box<dyn MarchedPart>]) {
+    if glue.is_empty() {
+        return;
+    }
+    // A body without a step of its own, as a rigid one, has no motion that is fast.
+    let steps = marched.iter_mut().filter_map(|body| body.stable_step(1.0).ok().map(|step| step.dt));
+    let least = steps.fold(f64::INFINITY, f64::min);
+    for own in glue {
+        own.settle(|body, particles, out| {
+            explicit_dynamics::Joinable::places(&*marched[body], particles, out)
+        });
+        own.pace(4.0 / (least * least), |body, particles| marched[body].masses(particles));
+    }
+}
+
+/// A body that was built, with its surface where a contact names it, and its faces where it is glued.
+struct Surfaced {
+    part: BuiltBody<Part>,
+    side: Option<Side>,
+    own: Option<Faces>,
+}
+
+/// Builds one of the bodies.
+fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<Surfaced, SceneError> {
     let marched = matches!(scene.analysis, Analysis::Explicit(_));
-    Ok(match scene.body {
+    let glued = scene.glued.then_some(());
+    let (part, side, own) = match scene.body {
         BodyScene::Shell(shell) => {
             let made = shell_made(&ShellInScene::new(scene, shell), threads, None)?;
             let side = of_shell(scene, &made.body)?;
+            let own = glued.map(|()| Faces::of_shell(&made.body));
             let part = made.map(|shell| match marched {
                 true => Part::Marched(Box::new(shell)),
                 false => Part::Balanced(Box::new(StaticShell::new(shell))),
             });
-            (part, side)
+            (part, side, own)
         }
         BodyScene::Solid(solid) => match solid.galerkin() {
             Some(options) => {
                 let made = galerkin_made(scene, solid, options, threads)?;
                 let side = of_galerkin(scene, solid, &made.body);
-                (made.map(|solid| Part::Balanced(Box::new(solid))), side)
+                let own = glued.map(|()| Faces::of_galerkin(solid, &made.body, made.description.spacing));
+                (made.map(|solid| Part::Balanced(Box::new(solid))), side, own)
             }
             None => {
                 let made = solid_made(scene, solid, threads, false)?;
                 let side = of_bonds(scene, solid, &made.body);
+                let own = glued.map(|()| Faces::of_bonds(solid, &made.body));
                 let part = made.map(|solid| match marched {
                     true => Part::Marched(Box::new(solid)),
                     false => Part::Balanced(Box::new(StaticSolid::new(solid))),
                 });
-                (part, side)
+                (part, side, own)
             }
         },
         BodyScene::Rigid(rigid) => {
             let made = rigid_made(scene, rigid)?;
             let side = of_rigid(scene, &made.body, made.description.spacing);
+            let own = glued.map(|()| Faces::of_rigid(&made.body));
             let part = made.map(|body| match marched {
                 true => Part::Marched(Box::new(body)),
                 false => Part::Balanced(Box::new(RestingBody::new(body))),
             });
-            (part, side)
+            (part, side, own)
         }
         BodyScene::Fluid(_) | BodyScene::Walls(_) => return Err(not_a(scene, "shell")),
-    })
+    };
+    Ok(Surfaced { part, side, own })
 }
 
 /// The columns in the order of the scene; `own` are those of each body.

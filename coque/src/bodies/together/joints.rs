@@ -106,7 +106,7 @@ impl BetweenBodies {
 }
 
 /// Particles of all in a set of a body.
-fn members(layout: &Layout, sets: &SetsOfBodies, body: &str, set: &str) -> Vec<u32> {
+pub(super) fn members(layout: &Layout, sets: &SetsOfBodies, body: &str, set: &str) -> Vec<u32> {
     let number = layout.names.iter().position(|name| name == body);
     let first = number.map_or(0, |number| layout.particles[number].start as u32);
     let own = sets.get(body).and_then(|sets| sets.get(set));
@@ -122,18 +122,23 @@ fn places(
     sets: &SetsOfBodies,
 ) -> Result<Vec<u32>, SceneError> {
     let (body, set) = joint.ends[end];
-    let mut all = members(layout, sets, body, set);
+    let all = members(layout, sets, body, set);
     if all.is_empty() {
         let path = format!("{}.{}", joint.path, ["on", "spring.to"][end]);
         let (value, repair) = (format!("\"{body}.{set}\""), "name another set of that body");
         return Err(SceneError::Set(scene.source.fault(&path, &value, "which has no particle", repair)));
     }
+    Ok(distinct(layout, all))
+}
+
+/// The first particle of all at each place.
+pub(super) fn distinct(layout: &Layout, mut all: Vec<u32>) -> Vec<u32> {
     let mut taken = BTreeSet::new();
     all.retain(|particle| {
         let x = layout.rest[*particle as usize];
         taken.insert([x.x, x.y, x.z].map(f64::to_bits))
     });
-    Ok(all)
+    all
 }
 
 /// Each place of a set with the nearest of the other: all of both, each once.
@@ -183,21 +188,29 @@ fn refuse_moved(
     if matches!(scene.analysis, Analysis::Explicit(_)) {
         return Ok(());
     }
+    let Some((path, on)) = moved_on(scene, ends, layout, sets)? else { return Ok(()) };
+    let bound = format!(
+        "whose places hang on a spring between bodies, which {} has on places that no support moves",
+        scene.analysis.kind().name
+    );
+    let repair = "move another set, or use [analysis.explicit]";
+    Err(SceneError::Set(scene.source.fault(&path, &format!("\"{on}\""), &bound, repair)))
+}
+
+/// The support that moves any of some places: where its set is named, and the set.
+pub(super) fn moved_on<'a>(
+    scene: &'a Scene,
+    ends: [&[u32]; 2],
+    layout: &Layout,
+    sets: &SetsOfBodies,
+) -> Result<Option<(String, &'a str)>, SceneError> {
     for (i, support) in scene.supports.iter().enumerate().filter(|(_, support)| support.motion().is_some()) {
-        let Owner::Of(body, set) = Owner::of(scene, &format!("supports[{i}].on"), &support.on)? else {
-            continue;
-        };
+        let path = format!("supports[{i}].on");
+        let Owner::Of(body, set) = Owner::of(scene, &path, &support.on)? else { continue };
         let moved = members(layout, sets, body, set);
         if moved.iter().any(|particle| ends.iter().any(|end| end.contains(particle))) {
-            let value = format!("\"{}\"", support.on);
-            let bound = format!(
-                "whose places hang on a spring between bodies, which {} has on places that no support moves",
-                scene.analysis.kind().name
-            );
-            let repair = "move another set, or use [analysis.explicit]";
-            let fault = scene.source.fault(&format!("supports[{i}].on"), &value, &bound, repair);
-            return Err(SceneError::Set(fault));
+            return Ok(Some((path, &support.on)));
         }
     }
-    Ok(())
+    Ok(None)
 }

@@ -19,6 +19,8 @@ pub(super) struct Layout {
     pub forces: Vec<Range<usize>>,
     /// Which of the interactions are contacts.
     pub contacts: Range<usize>,
+    /// Which of them are glue.
+    pub glue: Range<usize>,
     /// Particles at rest, all bodies one behind the other \[L\].
     pub rest: Vec<Vec3>,
     /// Cells of all, by these numbers.

@@ -2,18 +2,21 @@
 //!
 //! Each keeps its own particles, conditions and files; they take the same steps or are balanced together. What they do to each other goes
 //! through one place: an `Interaction` of explicit-dynamics in marches, one of implicit-statics without time, which sees places of all and
-//! adds forces and, at rest, blocks of the tangent: springs between sets (`joints.rs`) and bodies that touch (`contact.rs`, found by `touched.rs`,
+//! adds forces and, at rest, blocks of the tangent: springs between sets (`joints.rs`), sets that are glued to faces (`glue.rs`, `faces.rs`) and bodies that touch (`contact.rs`, found by `touched.rs`,
 //! whose surfaces `sides.rs` finds).
 
 mod balance;
 mod body;
 pub(super) mod build;
 mod contact;
+mod faces;
+mod glue;
 mod joints;
 mod kept;
 mod layout;
 mod march;
 mod moving;
+mod near;
 mod nodal;
 mod nodal_on_tool;
 mod on_tool;

@@ -8,6 +8,7 @@ use mesh_io::FieldWriter;
 use sph_core::Vec3;
 
 use super::contact::TouchingBodies;
+use super::glue::GluedBodies;
 use super::on_tool::OnTool;
 use crate::bodies::body::{Body, DynamicBody, StaticBody};
 use crate::bodies::tool_shapes;
@@ -46,6 +47,11 @@ pub(in crate::bodies) trait Parts: Send {
 
     /// An interaction, if it is that of a solid and a tool.
     fn on_tool(&self, interaction: usize) -> Option<&OnTool>;
+
+    /// An interaction, if it is glue, of which a fluid has none.
+    fn glued(&self, _interaction: usize) -> Option<&GluedBodies> {
+        None
+    }
 
     /// Energy that an interaction lost at a particle of a body \[F L\].
     fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64;
@@ -170,6 +176,10 @@ impl Parts for Marched {
         (self.interactions().get(interaction)? as &dyn Any).downcast_ref()
     }
 
+    fn glued(&self, interaction: usize) -> Option<&GluedBodies> {
+        (self.interactions().get(interaction)? as &dyn Any).downcast_ref()
+    }
+
     fn lost_at(&self, interaction: usize, body: usize, particle: usize) -> f64 {
         self.interactions().lost_at(interaction, body, particle as u32)
     }
@@ -201,6 +211,10 @@ impl Parts for Balanced {
     }
 
     fn on_tool(&self, interaction: usize) -> Option<&OnTool> {
+        (Balanced::interaction(self, interaction)? as &dyn Any).downcast_ref()
+    }
+
+    fn glued(&self, interaction: usize) -> Option<&GluedBodies> {
         (Balanced::interaction(self, interaction)? as &dyn Any).downcast_ref()
     }
 

@@ -137,7 +137,7 @@ pub(super) fn of_rigid(scene: &BodyInScene<'_>, body: &RigidBody, spacing: f64) 
 }
 
 /// Young's modulus \[F/L²\], of an orthotropic solid the least.
-fn young(body: &SolidScene) -> f64 {
+pub(super) fn young(body: &SolidScene) -> f64 {
     match &body.material {
         SolidMaterial::Elastic(elastic) => elastic.young.get(),
         SolidMaterial::Plastic(plastic) => plastic.young.get(),

@@ -11,7 +11,7 @@ use super::{CHECKPOINT, Contents, Origin, SCENE_COPY};
 /// First bytes of the file.
 const MARK: [u8; 8] = *b"coque-cp";
 /// Version of what follows; to be raised with every change of what is kept.
-const VERSION: u32 = 12;
+const VERSION: u32 = 13;
 /// Greatest length that is read \[bytes\]: ten million particles with all their shapes.
 const LONGEST: u64 = 1 << 34;
 /// Mark, version, length of the rest, checksum of the rest.

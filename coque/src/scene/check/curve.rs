@@ -151,6 +151,16 @@ fn check_unit(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
 
 /// What can be measured on the body.
 fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
+    let mut known = measured_alone(scene);
+    if scene.glued {
+        known.push(Measured::GlueForce);
+        known.extend(scene.as_rigid().is_none().then_some(Measured::GlueGap));
+    }
+    known
+}
+
+/// The same but for what glue does.
+fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
         BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director, Displacement,
         Energy, Flux, Force, FractureEnergy, FrictionLoss, GreatestDepth, Level, MembraneForce, Moment,

@@ -7,6 +7,7 @@ mod contact;
 mod curve;
 mod fluid;
 mod gauges;
+mod glue;
 mod imperfection;
 mod preload;
 mod rigid;
@@ -22,6 +23,7 @@ use self::conditions::{check_load, check_support};
 use self::contact::check_contact;
 use self::curve::check_curve;
 use self::fluid::check_velocity_of_fluid;
+use self::glue::check_glue;
 use self::imperfection::check_imperfection;
 use self::preload::check_preload;
 use self::rigid::check_rigid;
@@ -44,6 +46,7 @@ pub(super) fn check(scene: &Scene) -> Verdict {
     check_bodies(scene)?;
     check_coupling(scene)?;
     check_contact(scene)?;
+    check_glue(scene)?;
     match scene.is_together() {
         true => check_together(scene),
         false => check_alone(&BodyInScene::new(scene, name, body)?),
