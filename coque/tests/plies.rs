@@ -4,17 +4,10 @@
 
 mod common;
 
-use common::{Replaced, column, last, refusal, run};
-use coque::{Ended, Outcome};
+use common::{Replaced, column, done, last, refusal};
 
 const PULLED: &str = "strip-fibre-metal.toml";
 const BENT: &str = "strip-springback.toml";
-
-fn done(name: &str, replaced: Replaced) -> Outcome {
-    let outcome = run(name, replaced);
-    assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
-    outcome
-}
 
 fn elastic(young: f64, poisson: f64) -> String {
     format!("{{ elastic = {{ young = {young:?}, poisson = {poisson:?}, density = 1e-9 }} }}")
@@ -179,6 +172,14 @@ fn what_a_ply_cannot_be_is_refused() {
         ),
         with(&format!("{{ thickness = 1.0, angle = 0.0, material = {rolled} }}")),
         refusal(PULLED, &[("analysis", "{ linear = {} }")], 140),
+        refusal(
+            PULLED,
+            &[(
+                "material",
+                "{ elastic = { young = 1.0, young-values = 'E', poisson = 0.3, density = 1e-9 } }",
+            )],
+            140,
+        ),
         refusal(
             PULLED,
             &[

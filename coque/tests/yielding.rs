@@ -5,20 +5,14 @@
 mod common;
 
 use common::sittings::stopped_again_and_again;
-use common::{Replaced, column, last, overridden, refusal, run, text};
-use coque::{Ended, Outcome, WarningKind};
+use common::{Replaced, column, done, last, overridden, refusal, text};
+use coque::{Ended, WarningKind};
 
 const STRIP: &str = "strip-springback.toml";
 const HEMISPHERE: &str = "hemisphere-yielding.toml";
 const STRUCK: &str = "../coque/tests/yielding/struck.toml";
 const TUBE: &str = "tube-inflating.toml";
 const BURSTING: &str = "cylinder-bursting.toml";
-
-fn done(name: &str, replaced: Replaced) -> Outcome {
-    let outcome = run(name, replaced);
-    assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
-    outcome
-}
 
 #[test]
 fn broken_materials() {

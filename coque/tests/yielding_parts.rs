@@ -6,7 +6,7 @@
 mod common;
 
 use common::sittings::stopped_again_and_again;
-use common::{Replaced, column, last, overridden, refusal, run, text};
+use common::{Replaced, column, done, last, overridden, refusal, text};
 use coque::{Ended, Outcome, Silent, WarningKind};
 
 const PULLED: &str = "strip-necking.toml";
@@ -24,12 +24,6 @@ fn plastic(stress: f64) -> String {
 
 fn part(material: &str) -> String {
     format!("[{{ on = 'half', material = {material} }}]")
-}
-
-fn done(name: &str, replaced: Replaced) -> Outcome {
-    let outcome = run(name, replaced);
-    assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
-    outcome
 }
 
 /// The greatest difference of the measured columns, each over its greatest value.

@@ -14,7 +14,7 @@ pub mod torn;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use coque::{Checked, Outcome, Rendering, Scene, SceneError, Silent, render};
+use coque::{Checked, Ended, Outcome, Rendering, Scene, SceneError, Silent, render};
 
 /// Overrides of a scene: paths and values.
 pub type Replaced<'a> = &'a [(&'a str, &'a str)];
@@ -48,6 +48,13 @@ pub fn ran(scene: Result<Checked, SceneError>) -> Outcome {
 /// Runs a scene of the repository with values replaced, on one thread.
 pub fn run(name: &str, replaced: Replaced) -> Outcome {
     ran(scene(name, replaced))
+}
+
+/// The same, which has to reach its end.
+pub fn done(name: &str, replaced: Replaced) -> Outcome {
+    let outcome = run(name, replaced);
+    assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
+    outcome
 }
 
 /// All values of a column.

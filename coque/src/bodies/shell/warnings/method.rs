@@ -144,8 +144,8 @@ pub(super) fn few_slices(look: &Look<'_>) -> Option<String> {
     let slices = look.shell.plastic_sections().map(|section| section.fewest_slices()).min()?;
     (slices < SLICES).then(|| {
         format!(
-            "{slices} slices through the thickness: bending moments past the yield may be off by 6 % and more (six slices 2.7 %, ten 1 %); use \
-             section.homogeneous.slices = 6 or more"
+            "{slices} slices through the thickness: bending moments past the yield may be off by 6 % and more (six slices 2.7 %, ten 1 %); give the \
+             section, or the ply, `slices` = 6 or more"
         )
     })
 }

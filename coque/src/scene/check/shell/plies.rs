@@ -5,7 +5,7 @@ use super::own_law::check_plastic;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
-use crate::scene::shell::material::Material;
+use crate::scene::shell::material::{Elastic, Material};
 use crate::scene::shell::plastic::Plastic;
 use crate::scene::shell::plies::{Layered, Ply};
 
@@ -16,8 +16,10 @@ impl ShellScene {
             let repair = "give at least one: plies = [{ thickness = 1.0, angle = 0.0 }]";
             return Err(s.value("section.layered.plies", "empty", "a list of plies", repair));
         }
-        if let Material::Plastic(plastic) = &self.material {
-            check_rolling(plastic, section, s)?;
+        match &self.material {
+            Material::Plastic(plastic) => check_rolling(plastic, section, s)?,
+            Material::Elastic(elastic) => check_even(elastic, s)?,
+            _ => {}
         }
         for (i, ply) in section.plies.iter().enumerate() {
             self.check_ply(section, ply, &s.below(&format!("section.layered.plies[{i}]")))?;
@@ -36,11 +38,8 @@ impl ShellScene {
         }
         match &ply.material {
             None => Ok(()),
-            Some(Material::Elastic(elastic)) if elastic.young_values.is_some() => {
-                let (path, repair) = ("material.elastic.young-values", "remove it");
-                refuse(path, "numbers by particle", "none of a ply", repair)
-            }
             Some(Material::Elastic(elastic)) => {
+                check_even(elastic, own)?;
                 check_poisson("material.elastic.poisson", elastic.poisson, own)
             }
             Some(Material::Orthotropic(material)) => check_orthotropic(material, own),
@@ -55,6 +54,16 @@ impl ShellScene {
             }
         }
     }
+}
+
+/// A ply is the same at all particles.
+fn check_even(elastic: &Elastic, s: &Scope<'_>) -> Verdict {
+    if elastic.young_values.is_none() {
+        return Ok(());
+    }
+    let (path, bound) = ("material.elastic.young-values", "none of plies");
+    let repair = "remove it, or give [section.homogeneous]";
+    Err(SceneError::Choice(s.fault(path, "numbers by particle", bound, repair)))
 }
 
 /// A rolled sheet lies by the axis of the plies, and by the angle of its own.
