@@ -14,6 +14,8 @@ use crate::{Breach, Converged, Equilibrium, EquilibriumError, Increment, Newton}
 const MISS: f64 = 0.5;
 /// The same where Newton passed by a state with more negative pivots than both ends. Rings rolled up do so, and leave .12.
 const WILD_MISS: f64 = 0.25;
+/// What the tangent at one end leaves counts so many times.
+const ALONE: f64 = 10.0;
 
 /// Part of a step by its tangent up to which the bend of the path is trusted, and sizes of the last step it is extrapolated over.
 const BEND: f64 = 0.5;
@@ -194,9 +196,10 @@ impl<'a> Stepper<'a> {
         Ok((negative, response))
     }
 
-    /// Part of a step that the mean of the tangents at its two ends, each over the whole step, leaves unexplained.
+    /// Part of a step that the mean of the tangents at its two ends, each over the whole step, leaves unexplained, or one of them alone.
     ///
-    /// Along a branch this is what the trapezoidal rule leaves of `∫q′ds`, of third order in the step. Over a limit point
+    /// Along a smooth branch the mean leaves what the trapezoidal rule does of `∫q′ds`, of third order in the step. Where something comes to touch, or lets go,
+    /// at one end, the branch has a kink there and follows the tangent of the other, nearly straight: it has to explain ten times as well. Over a limit point
     /// `q′` has a pole between the ends, and a step to another branch is long where the tangents are short; a step back is 1.
     fn miss<E: Equilibrium + ?Sized>(
         &mut self,
@@ -216,17 +219,21 @@ impl<'a> Stepper<'a> {
                 self.length(increment).copysign(along) / unit
             }
         };
-        let mean = |i: usize| 0.5 * (first * from[i] + last * to[i]);
-        let rest = Increment {
-            motion: increment.motion.iter().enumerate().map(|(i, q)| q - mean(i)).collect(),
-            level: increment.level - 0.5 * (first + last),
+        let left = |[a, b]: [f64; 2]| {
+            let explained = |(q, (from, to)): (&f64, (&f64, &f64))| q - a * first * from - b * last * to;
+            let rest = Increment {
+                motion: increment.motion.iter().zip(from.iter().zip(&to)).map(explained).collect(),
+                level: increment.level - a * first - b * last,
+            };
+            if let Control::ArcLength { .. } = self.control {
+                return self.length(&rest) / self.length(increment);
+            }
+            let rounding = self.newton.is_rounding(&rest.motion, increment);
+            let share = self.newton.length(&rest.motion) / self.newton.length(&increment.motion);
+            if rounding || share.is_nan() { 0.0 } else { share }
         };
-        if let Control::ArcLength { .. } = self.control {
-            return Ok(self.length(&rest) / self.length(increment));
-        }
-        let rounding = self.newton.is_rounding(&rest.motion, increment);
-        let share = self.newton.length(&rest.motion) / self.newton.length(&increment.motion);
-        Ok(if rounding || share.is_nan() { 0.0 } else { share })
+        let alone = left([1.0, 0.0]).min(left([0.0, 1.0]));
+        Ok(left([0.5, 0.5]).min(ALONE * alone))
     }
 
     /// Negative pivots; where a displacement is given, less the one that it holds.
