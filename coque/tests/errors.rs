@@ -212,7 +212,7 @@ fn the_command_writes_bars_beside_the_numbers_and_changes_none() {
     let bar = barred.column("w_edge ±").unwrap()[0];
     assert_eq!(summary["errors"]["w_edge"]["bar"].as_f64(), Some(bar));
     assert_eq!(summary["errors"]["w_edge"]["verdict"], "converging");
-    assert!(said.contains("w_edge  0.3040 ± 0.0045  (order 2.0, three lattices, converging)"), "{said}");
+    assert!(said.contains("w_edge  0.3040 ± 0.0036  (order 2.0, three lattices, converging)"), "{said}");
     std::fs::remove_dir_all(folder).unwrap();
 }
 

@@ -36,6 +36,9 @@ struct Cli {
     /// Hold the error bars of `coque run --error` against the references in place of the numbers
     #[arg(long, conflicts_with = "hard")]
     errors: bool,
+    /// With --errors: every scene and study from so many lattices coarser on, as if that were its own
+    #[arg(long, requires = "errors", value_name = "N", default_value_t = 0)]
+    coarser: usize,
     /// Only this case; may be given several times
     #[arg(long = "case", value_name = "NAME")]
     cases: Vec<String>,
@@ -144,7 +147,7 @@ fn write(file: &Path, text: &str) -> Result<(), JudgeError> {
 
 /// Runs the scenes on the lattices beside their own and holds claimed against true errors.
 fn held(cli: &Cli, selection: &Selection) -> Result<u8, JudgeError> {
-    let dots = claimed::claimed(cli.all(), selection, &|line| eprintln!("{line}"))?;
+    let dots = claimed::claimed(cli.all(), selection, cli.coarser, &|line| eprintln!("{line}"))?;
     print!("{}", claimed::table(&dots));
     let metrics = claimed::judged(&dots);
     let page = claimed::page(&dots)?;

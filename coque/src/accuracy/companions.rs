@@ -2,7 +2,7 @@
 //!
 //! Wanted are two that are √2 and 2 times as coarse along every direction, of marches whose time falls with the third power of the spacing
 //! 1.5 and 2.25 times: .30 and .09 of the time of the run. Where a direction has too few cells for that, finer ones take their
-//! place, and where but one is to be had, the second order has to be believed. Fluids keep whole numbers of particles along every length.
+//! place, and where but one is to be had, the order of the method has to be believed. Fluids keep whole numbers of particles along every length.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};

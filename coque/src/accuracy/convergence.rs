@@ -9,7 +9,7 @@
 //! which gives the order p, and with it the error of the finest, as the grid convergence index has it \[roache1994\].
 
 /// Orders that are believed: singular loads leave the first, the methods here are of the second in what is smooth.
-const ORDERS: [f64; 2] = [0.5, 2.0];
+pub(super) const ORDERS: [f64; 2] = [0.5, 2.0];
 /// Factor on an error whose order was found, and on one whose order was not, both as \[roache1994\] has them.
 const SAFETY: [f64; 2] = [1.25, 3.0];
 

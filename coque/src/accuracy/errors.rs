@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::bars::{OnLattice, bar, sharpened};
+use super::bars::{OnLattice, bar, order_of, sharpened};
 use super::companions::finest;
 use super::found::{Found, Starts, rows, run};
 use super::nested::Nested;
@@ -128,7 +128,8 @@ fn fill(
 ) {
     let curves: Vec<&Curve> =
         [&own.curve].into_iter().chain(others.iter().map(|other| &other.curve)).collect();
-    errors.critical = critical(own, others);
+    let most = order_of(scene);
+    errors.critical = critical(own, others, most);
     let key = match key(&scene.analysis, &curves) {
         Ok(key) => key,
         Err(why) => {
@@ -161,7 +162,7 @@ fn fill(
                 .collect();
             let value = own.curve.rows[row][at];
             let answer = OnLattice { spacing: own.spacing, value };
-            let found = bar(answer, &answers, greatest);
+            let found = bar(answer, &answers, greatest, most);
             if vanishes {
                 return zero(found, &answers);
             }
@@ -231,7 +232,7 @@ fn moved_set<'a>(scene: &Checked, column: &str, moved: &'a [String]) -> Option<&
 }
 
 /// Levels of critical points, paired by kind and order.
-fn critical(own: &Found, others: &[Found]) -> Vec<CriticalError> {
+fn critical(own: &Found, others: &[Found], most: f64) -> Vec<CriticalError> {
     let scale = own.critical.iter().fold(0.0, |most: f64, (_, level)| most.max(level.abs()));
     let located = |kind: &str| LOCATED.iter().any(|located| kind.starts_with(located));
     let mut found: Vec<CriticalError> = Vec::new();
@@ -242,7 +243,7 @@ fn critical(own: &Found, others: &[Found]) -> Vec<CriticalError> {
             Some(OnLattice { spacing: other.spacing, value })
         };
         let answers: Vec<OnLattice> = others.iter().filter_map(on).collect();
-        let bar = bar(OnLattice { spacing: own.spacing, value: *level }, &answers, scale);
+        let bar = bar(OnLattice { spacing: own.spacing, value: *level }, &answers, scale, most);
         found.push(CriticalError { kind: kind.clone(), bar });
     }
     found

@@ -32,7 +32,7 @@ mod said;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-pub use bars::{OnLattice, bar};
+pub use bars::{OF_FLUIDS, OF_OTHERS, OnLattice, bar, order_of};
 pub use companions::Companions;
 pub use convergence::Convergence;
 pub use graded::Graded;

@@ -33,7 +33,7 @@ impl Verdict {
         match self {
             Self::Converging => "converging",
             Self::Sharpened => "converging, sharpened by a finer lattice",
-            Self::TwoLattices => "two lattices, second order taken",
+            Self::TwoLattices => "two lattices, order taken",
             Self::NotYet => "not converging yet",
             Self::Exact => "exact but for round-off",
             Self::Grows => "grows with refinement",
@@ -70,7 +70,7 @@ impl ErrorBar {
 }
 
 /// The factor of a bar on the error that three lattices show.
-pub(crate) const SAFETY: f64 = 2.0;
+pub(crate) const SAFETY: f64 = 1.6;
 
 /// The errors of a column, a row each.
 #[derive(Clone, Debug, PartialEq)]

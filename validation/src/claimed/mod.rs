@@ -13,7 +13,7 @@ pub use judged::{Share, judged, page, table};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use coque::accuracy::Companions;
+use coque::accuracy::{Companions, OF_FLUIDS, OF_OTHERS, order_of};
 use coque::{Checked, Scene, Silent};
 
 use crate::judge::{Case, Lattices, Outcome, Problem, Run, Runs, Selection, Variant, choose, metrics};
@@ -22,23 +22,55 @@ use crate::{JudgeError, Metric};
 /// Runs of a case on one lattice after the other, the scene's own first; none where a scene has no other lattice.
 struct OnLattices {
     variant: Variant,
+    /// The greatest order that is believed.
+    most: f64,
     spacings: Vec<f64>,
     outcomes: Vec<Outcome>,
 }
 
 /// What runs on several lattices.
+#[derive(Clone)]
 enum Source {
     Scene(Box<Checked>),
     Study(Lattices),
 }
 
-/// Runs what is selected of the cases on all lattices; a dot for each number that is compared with a reference.
+impl Source {
+    /// The greatest order that is believed of its answers.
+    fn order(&self) -> f64 {
+        match self {
+            Self::Scene(scene) => order_of(scene),
+            Self::Study(study) if study.marched => OF_FLUIDS,
+            Self::Study(_) => OF_OTHERS,
+        }
+    }
+
+    /// The same on the next coarser lattice.
+    fn coarser(self) -> Result<Self, String> {
+        match self {
+            Self::Scene(scene) => {
+                let Companions { lattices, .. } = scene.companions(1)?;
+                let first = lattices.into_iter().find(|lattice| lattice.spacing > 1.0);
+                let scene = first.ok_or("no coarser lattice")?.scene;
+                Ok(Self::Scene(Box::new(scene)))
+            }
+            Self::Study(study) => {
+                let coarser = study.others()?.into_iter().find(|cells| *cells < study.cells);
+                let cells = coarser.ok_or("no coarser lattice")?;
+                Ok(Self::Study(Lattices { cells, ..study }))
+            }
+        }
+    }
+}
+
+/// Runs what is selected of the cases on all lattices, or all from so many `coarser` ones on; a dot for each number that is compared with a reference.
 ///
 /// # Errors
 /// [`JudgeError`] for unknown names and refused scenes.
 pub fn claimed(
     cases: Vec<Case>,
     selection: &Selection,
+    coarser: usize,
     tell: &(dyn Fn(String) + Sync),
 ) -> Result<Vec<Dot>, JudgeError> {
     let cases = choose(cases, selection)?;
@@ -64,7 +96,7 @@ pub fn claimed(
                 while let Some((number, variant, source)) = sources.get(next.fetch_add(1, Ordering::Relaxed))
                 {
                     let at = ended.fetch_add(1, Ordering::Relaxed) + 1;
-                    let ran = on_lattices(variant, source);
+                    let ran = on_lattices(variant, source.clone(), coarser);
                     let how = match &ran {
                         Ok(ran) => format!("{} lattices", ran.outcomes.len()),
                         Err(why) => format!("no bar: {why}"),
@@ -113,8 +145,9 @@ fn of_lattice(
     metrics(case, &run, &runs).unwrap_or_default()
 }
 
-/// What is run on its own lattice and those beside it.
-fn on_lattices(variant: &Variant, source: &Source) -> Result<OnLattices, String> {
+/// What is run on its own lattice and those beside it, or on the first of these and those beside that, and so on.
+fn on_lattices(variant: &Variant, source: Source, coarser: usize) -> Result<OnLattices, String> {
+    let source = (0..coarser).try_fold(source, |source, _| source.coarser())?;
     let (mut spacings, mut outcomes) = (vec![1.0], Vec::new());
     // What is refused or ends early on another lattice leaves its numbers without an answer.
     let mut keep = |spacing: f64, outcome: Result<Outcome, String>| {
@@ -123,7 +156,7 @@ fn on_lattices(variant: &Variant, source: &Source) -> Result<OnLattices, String>
             outcomes.push(outcome);
         }
     };
-    let own = match source {
+    let own = match &source {
         Source::Scene(scene) => {
             let Companions { lattices, .. } = scene.companions(1)?;
             let own = run(scene)?;
@@ -139,7 +172,7 @@ fn on_lattices(variant: &Variant, source: &Source) -> Result<OnLattices, String>
         }
     };
     outcomes.insert(0, own);
-    Ok(OnLattices { variant: variant.clone(), spacings, outcomes })
+    Ok(OnLattices { variant: variant.clone(), most: source.order(), spacings, outcomes })
 }
 
 /// Runs a scene.

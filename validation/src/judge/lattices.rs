@@ -21,7 +21,7 @@ pub struct Lattices {
     pub cells: usize,
     /// What numbers of cells are multiples of, so that the other lengths are whole numbers of cells.
     pub step: usize,
-    /// Whether it is a march in a plane.
+    /// Whether it is a march of a fluid in a plane.
     pub marched: bool,
     /// The study with so many cells.
     pub run: Arc<dyn Fn(usize) -> Result<Outcome, String> + Send + Sync>,
@@ -33,7 +33,7 @@ impl Lattices {
         Self { cells, step: 1, marched: false, run: Arc::new(run) }
     }
 
-    /// Of a march in a plane.
+    /// Of a march of a fluid in a plane.
     pub fn marched(
         cells: usize,
         step: usize,

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::measure::largest;
 use crate::format::short;
 use crate::metric_names::REST;
 
@@ -30,6 +31,9 @@ pub struct Metric {
     pub verdict: Verdict,
     /// Where the tolerance comes from, or why there is none.
     pub reason: String,
+    /// Errors with their signs, each behind its place along a path, where the value is the greatest of them.
+    #[serde(skip)]
+    pub signed: Vec<[f64; 2]>,
 }
 
 /// What is said of a metric, or of a run.
@@ -64,6 +68,7 @@ pub struct Found {
     unit: String,
     reference: Option<f64>,
     error: Option<f64>,
+    signed: Vec<[f64; 2]>,
 }
 
 /// How many times the error measured when a case was reviewed is the most that it may have.
@@ -75,6 +80,18 @@ impl Metric {
     /// A value that is itself an error, such as a distance from the exact solution.
     pub fn error(name: impl Into<String>, value: Option<f64>, unit: &str) -> Found {
         Found::new(name.into(), value, unit, None, value.map(f64::abs))
+    }
+
+    /// The greatest of errors with their signs, each behind its place along a path; none where there are none or one is no number.
+    pub fn greatest(
+        name: impl Into<String>,
+        errors: impl IntoIterator<Item = (f64, Option<f64>)>,
+        unit: &str,
+    ) -> Found {
+        let errors: Vec<(f64, Option<f64>)> = errors.into_iter().collect();
+        let value = largest(errors.iter().map(|(_, error)| error.map(f64::abs)));
+        let signed = errors.iter().filter_map(|(at, error)| error.map(|error| [*at, error])).collect();
+        Found { signed, ..Self::error(name, value, unit) }
     }
 
     /// A value held against a reference of the same unit.
@@ -106,13 +123,14 @@ impl Found {
     fn new(name: String, value: Option<f64>, unit: &str, reference: Option<f64>, error: Option<f64>) -> Self {
         // JSON knows no infinities: what is not a number counts as not reached.
         let finite = |x: Option<f64>| x.filter(|x| x.is_finite());
-        Self { name, value: finite(value), unit: unit.into(), reference, error: finite(error) }
+        let (value, error) = (finite(value), finite(error));
+        Self { name, value, unit: unit.into(), reference, error, signed: Vec::new() }
     }
 
     fn with(self, tolerance: Option<f64>, verdict: Verdict, reason: String) -> Metric {
-        let Self { name, value, unit, reference, error } = self;
+        let Self { name, value, unit, reference, error, signed } = self;
         let pass = verdict != Verdict::Missed;
-        Metric { name, value, unit, reference, error, tolerance, pass, verdict, reason }
+        Metric { name, value, unit, reference, error, tolerance, pass, verdict, reason, signed }
     }
 
     /// Judges: the error has to be there and at most `tolerance`, for a reason.
@@ -190,6 +208,15 @@ mod tests {
         let (kept, missed) = (Metric::error("a", Some(0.1), "-"), Metric::error("a", Some(0.3), "-"));
         assert_eq!(kept.within(0.2, "made up").verdict, Verdict::Pass);
         assert_eq!(missed.within(0.2, "made up").verdict.word(), "MISSED");
+    }
+
+    #[test]
+    fn the_greatest_error_keeps_signs_and_places() {
+        let found = |errors: [(f64, Option<f64>); 2]| Metric::greatest("P", errors, "%").shown("made up");
+        let metric = found([(0.5, Some(0.2)), (1.0, Some(-0.3))]);
+        assert_eq!((metric.value, metric.error), (Some(0.3), Some(0.3)));
+        assert_eq!(metric.signed, [[0.5, 0.2], [1.0, -0.3]]);
+        assert_eq!(found([(0.5, Some(0.2)), (1.0, None)]).value, None);
     }
 
     #[test]

@@ -49,14 +49,14 @@ fn belt(friction: f64) -> Variant {
 fn judged(run: &Run, friction: f64) -> Result<Vec<Metric>, JudgeError> {
     let tension = run.last("T2")?;
     let exact = WEIGHT * capstan(friction, std::f64::consts::PI);
-    let off = tension.map(|tension| 100.0 * (tension / exact - 1.0).abs());
+    let off = tension.map(|tension| 100.0 * (tension / exact - 1.0));
     let lost = run.column("lost")?;
     let step = lost.len().checked_sub(2).map(|before| lost[before + 1] - lost[before]);
     let loss = step
         .zip(tension)
         .map(|(step, tension)| 100.0 * (step / ((tension - WEIGHT) * RADIUS * 0.2 * TURN) - 1.0).abs());
     Ok(vec![
-        Metric::error(RATIO, off, "%").near(
+        Metric::greatest(RATIO, [(0.0, off)], "%").near(
             MEASURED.of(run)?,
             "the clamp bears the first cell; the polygon of the belt; bending of the order of B/(T R²) where the belt is held",
         ),

@@ -47,9 +47,9 @@ fn slides(degrees: f64) -> Variant {
         let found = start.zip(pace.len().checked_sub(1)).filter(|_| run.done());
         let found = found.map(|(a, b)| (pace[b] - pace[a]) / (time[b] - time[a]));
         let exact = GRAVITY * incline(FRICTION, degrees.to_radians());
-        let off = found.map(|found| 100.0 * (found / exact - 1.0).abs());
+        let off = found.map(|found| 100.0 * (found / exact - 1.0));
         let reason = "the swing across the slope, of which the interval cuts off a part";
-        Ok(vec![Metric::error(PACE, off, "%").near(MEASURED.of(run)?, reason)])
+        Ok(vec![Metric::greatest(PACE, [(0.0, off)], "%").near(MEASURED.of(run)?, reason)])
     })
 }
 

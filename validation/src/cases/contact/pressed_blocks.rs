@@ -145,8 +145,8 @@ impl Setup {
     }
 }
 
-/// Of each level the closed form at its approach and what was found, where the contact is wide enough.
-fn levels(run: &Run, setup: &Setup) -> Result<Vec<[Pressed; 2]>, JudgeError> {
+/// Behind each level the closed form at its approach and what was found, where the contact is wide enough.
+fn levels(run: &Run, setup: &Setup) -> Result<Vec<(f64, [Pressed; 2])>, JudgeError> {
     let [level, force, moment, pressure] = ["level", "P", "M", "p"].map(|name| run.column(name));
     let (level, force, moment, pressure) = (level?, force?, moment?, pressure?);
     let found = (0..level.len()).filter(|&i| level[i] > 0.0).map(|i| {
@@ -155,25 +155,26 @@ fn levels(run: &Run, setup: &Setup) -> Result<Vec<[Pressed; 2]>, JudgeError> {
         let half = 0.75 * std::f64::consts::PI * (moment[i] / force[i]).abs();
         let found =
             Pressed { half, force: force[i] / setup.part(), pressure: pressure[i], approach: exact.approach };
-        [exact, found]
+        (level[i], [exact, found])
     });
-    Ok(found.filter(|[exact, _]| exact.half >= setup.from() * setup.spacing()).collect())
+    Ok(found.filter(|(_, [exact, _])| exact.half >= setup.from() * setup.spacing()).collect())
 }
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let Some(setup) = Setup::of(run) else { return Ok(Vec::new()) };
     let known = levels(run, setup)?;
-    let worst = |of: fn(&Pressed) -> f64| {
-        let errors = known.iter().map(|[exact, found]| 100.0 * (of(found) / of(exact) - 1.0).abs());
-        errors.reduce(f64::max).filter(|_| run.done())
+    let worst = |name: &str, of: fn(&Pressed) -> f64| {
+        let errors = known.iter().filter(|_| run.done());
+        let errors = errors.map(|(level, [exact, found])| (*level, 100.0 * (of(found) / of(exact) - 1.0)));
+        Metric::greatest(name, errors.map(|(level, error)| (level, Some(error))), "%")
     };
     let reason = "a contact of few spacings; bonds feel no surface nearer than their horizon";
     let mut metrics = vec![
-        Metric::error(PRESSURE, worst(|of| of.pressure), "%").near(OF_PRESSURE.of(run)?, reason),
-        Metric::error(FORCE, worst(|of| of.force), "%").near(OF_FORCE.of(run)?, reason),
+        worst(PRESSURE, |of| of.pressure).near(OF_PRESSURE.of(run)?, reason),
+        worst(FORCE, |of| of.force).near(OF_FORCE.of(run)?, reason),
     ];
     if setup.round == Round::Drum {
-        metrics.push(Metric::error(WIDTH, worst(|of| of.half), "%").near(OF_WIDTH.of(run)?, reason));
+        metrics.push(worst(WIDTH, |of| of.half).near(OF_WIDTH.of(run)?, reason));
     }
     Ok(metrics)
 }
@@ -192,7 +193,7 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
             let forms = (1..=50).map(|i| scaled(&block, &block.under_drum(0.0045 * f64::from(i))));
             series.push(Series::line("Hertz, on a block", forms.collect(), BLACK, Line::Dashed));
         }
-        let points = levels(run, setup)?.iter().map(|[_, found]| scaled(&block, found)).collect();
+        let points = levels(run, setup)?.iter().map(|(_, [_, found])| scaled(&block, found)).collect();
         let look = looks[series.len() % looks.len()];
         series.push(Series::line(&run.variant.grid, points, look, Line::Solid));
     }
