@@ -132,6 +132,8 @@ pub enum WarningKind {
     StiffControl,
     /// Hinges along clamped edges that are wide for the span.
     CoarseHinge,
+    /// A level that leads what yields or rubs elsewhere than small steps do.
+    LargeHistoryStep,
     /// Cells of a shell that yields which are drawn thin and harden by less than that.
     Necking,
     /// States at which a march came to rest without a look at whether they are stable.
@@ -207,6 +209,7 @@ impl WarningKind {
             Self::BeyondData => "beyond-data",
             Self::StiffControl => "stiff-control",
             Self::CoarseHinge => "coarse-hinge",
+            Self::LargeHistoryStep => "large-history-step",
             Self::Necking => "necking",
             Self::StabilityUnknown => "stability-unknown",
             Self::OpenBalance => "open-balance",
@@ -240,6 +243,7 @@ mod tests {
             WarningKind::NotSettled,
             WarningKind::Unstable,
             WarningKind::PassedCritical,
+            WarningKind::LargeHistoryStep,
             WarningKind::ChangedShape,
             WarningKind::NoPotential,
             WarningKind::FewerModes,

@@ -245,6 +245,13 @@ fn doubtful_numbers_are_warned_of() {
     };
     assert!(clamped("[11, 3]").contains(&WarningKind::CoarseHinge));
     assert!(!clamped("[41, 3]").contains(&WarningKind::CoarseHinge));
+    // One level over first yield, and as far in twenty.
+    let crushed = |levels: &str| {
+        let short = [("tools[0].moved", "[0.0, 0.0, -2.0]"), ("analysis.static.levels", levels)];
+        kinds("tube-crushed.toml", &short)
+    };
+    assert!(crushed("1").contains(&WarningKind::LargeHistoryStep));
+    assert_eq!(crushed("20"), []);
     let mesh = ("geometry.mesh.file", "\"meshes/disc-yielding.inp\"");
     let disc = |rim: &str| kinds("meshes/disc-yielding.toml", &[mesh, ("supports[2]", rim)]);
     assert!(disc("{ on = \"RIM\", clamped = {} }").contains(&WarningKind::CoarseHinge));

@@ -5,13 +5,13 @@
 
 use std::ops::ControlFlow;
 
+use crate::apart::apart;
 use crate::branch::take_branch;
 use crate::breaking::Limit;
 use crate::critical::locate_all;
 use crate::options::{Control, CriticalOptions, PathOptions};
 use crate::path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
 use crate::stepper::{StepOutcome, Stepper};
-use crate::vectors::{difference, dot};
 use crate::{Equilibrium, EquilibriumError, Increment, Newton};
 
 /// Part of the first step above which a load step that may have strayed is halved.
@@ -24,6 +24,8 @@ const PART: f64 = 0.125;
 const STEPS: usize = 200;
 /// Two states are the same if their distance is below this share of the way between the ends of the step.
 const SAME: f64 = 1e-3;
+/// Of a system with memory they are then found by other steps up to this share, beyond it on other branches.
+const BY_STEPS: f64 = 0.1;
 
 /// Whether a path is kept, so that what reaches its limit on it breaks; or only looked at.
 #[derive(Clone, Copy, PartialEq)]
@@ -258,6 +260,7 @@ fn look_for_critical<E: Equilibrium + ?Sized>(
         let what = match traced.as_ref().map_or(Leads::Unknown, |traced| traced.leads) {
             Leads::There => None,
             Leads::Back(level) => Some(Passed::Turn(level)),
+            Leads::BySteps(share) => Some(Passed::Steps(share)),
             Leads::Elsewhere => Some(Passed::Branch),
             Leads::Unknown => Some(Passed::Unproved),
         };
@@ -286,6 +289,8 @@ enum Leads {
     There,
     /// Back, before the end of the step, from about this level.
     Back(f64),
+    /// To the end of the step, so much of the way beside: the system remembers the steps it was brought there in.
+    BySteps(f64),
     /// To the end of the step, in another state.
     Elsewhere,
     /// It could not be followed that far.
@@ -348,15 +353,13 @@ fn trace<E: Equilibrium + ?Sized>(
     let leads = match end {
         Ok(End::Stopped) if turned => Leads::Back(limit),
         Ok(End::Stopped) => match land(&mut newton, system, &path.restart, target - done, options) {
-            Ok(()) => {
-                let (state, way) = (system.save(), difference(found, &begun));
-                let rest = difference(&state, found);
-                if dot(&rest, &rest) <= SAME * SAME * dot(&way, &way) {
-                    Leads::There
-                } else {
+            Ok(()) => match apart(system, found, &made.motion, &begun) {
+                share if share > BY_STEPS || share > SAME && !system.tangent_is_of_the_step() => {
                     Leads::Elsewhere
                 }
-            }
+                share if share > SAME => Leads::BySteps(share),
+                _ => Leads::There,
+            },
             Err(_) => Leads::Unknown,
         },
         _ => Leads::Unknown,

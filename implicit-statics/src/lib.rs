@@ -233,6 +233,7 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod apart;
 mod block_pattern;
 mod bounds;
 mod branch;

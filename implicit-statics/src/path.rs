@@ -145,6 +145,8 @@ pub enum Passed {
     Pivots,
     /// The branch of the first end turns back at about this level; the other end lies on another.
     Turn(f64),
+    /// Small steps end by this share of the way beside the state found, of a system that remembers its steps.
+    Steps(f64),
     /// The branch of the first end goes on to another state; the second lies on another branch.
     Branch,
     /// The step is far from its tangents, and the branch of its first end could not be followed: the other end may lie

@@ -86,6 +86,16 @@ pub(crate) fn note(path: &Path, follows: Follows, unit: Option<&str>, found: &mu
                 );
                 (message, "turning point", level)
             }
+            Passed::Steps(share) => {
+                let message = format!(
+                    "{span} what yields or rubs went by one step; by small ones it ends {:.1} % of the way beside the state found at {}: \
+                     take more levels",
+                    100.0 * share,
+                    place(high)
+                );
+                found.warn(WarningKind::LargeHistoryStep, message);
+                continue;
+            }
             Passed::Branch => {
                 let message = format!("{span} the branch of equilibria was left: {elsewhere}; {BY_ARC}");
                 (message, LEFT, 0.5 * (low + high))

@@ -124,6 +124,7 @@ const EXAMPLES: [Example; 84] = [
     Example::new("thick-ring-solid", 0.2, include_str!("../../../scenes/thick-ring-solid.toml")),
     Example::new("thin-ring", 35.0, include_str!("../../../scenes/thin-ring.toml")),
     Example::new("tied-rib", 0.1, include_str!("../../../scenes/meshes/tied-rib.toml")),
+    Example::new("tube-crushed", 3.0, include_str!("../../../scenes/tube-crushed.toml")),
     Example::new("tube-inflating", 0.1, include_str!("../../../scenes/tube-inflating.toml")),
     Example::new("twisted-beam", 0.1, include_str!("../../../scenes/twisted-beam.toml")),
     Example::new("twisted-strip", 0.5, include_str!("../../../scenes/twisted-strip.toml")),

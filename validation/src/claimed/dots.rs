@@ -34,7 +34,7 @@ const NO_ANSWERS: [&str; 13] = [
 ];
 
 /// Cases, or single metrics of them, whose references are of another theory than what is run, which no lattice approaches, and of which.
-const OTHER_THEORIES: [(&str, &str); 53] = [
+const OTHER_THEORIES: [(&str, &str); 54] = [
     ("turek-hron", "a plane solid"),
     ("clamped-strip", "a beam without shear"),
     ("heavy-end", "a beam without shear"),
@@ -69,6 +69,7 @@ const OTHER_THEORIES: [(&str, &str); 53] = [
     ("cylinder-yielding", "the mesh of another program"),
     ("cook-yielding", "the mesh of another program"),
     ("disc-yielding", "a rigid, plastic plate"),
+    ("tube-crushed", "rigid arms and hinges"),
     ("strip-springback", "a section without slices"),
     ("plate-stability", "plates without a horizon"),
     ("column-solid", "a column without shear"),

@@ -13,15 +13,17 @@ mod roof_collapsing;
 mod strip_fibre_metal;
 mod strip_necking;
 mod strip_springback;
+mod tube_crushed;
 
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 12] {
+pub fn all() -> [Case; 13] {
     [
         strip_necking::case(),
         strip_fibre_metal::case(),
         strip_springback::case(),
+        tube_crushed::case(),
         hemisphere_yielding::case(),
         plate_yielding::case(),
         roof_collapsing::case(),
