@@ -179,17 +179,20 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
             if scene.may_touch() {
                 known.extend([ContactForce, ContactMoment]);
             }
+            known.extend(rubs(scene).then_some(FrictionLoss));
             return known;
         }
         BodyScene::Shell(_) | BodyScene::Solid(_) => {}
     }
     let solid = scene.as_solid();
+    let rubbed = rubs(scene).then_some(FrictionLoss);
     if solid.is_some_and(|solid| solid.galerkin().is_some()) {
         let touching = [ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea];
         let touching = touching.into_iter().filter(|_| scene.may_touch());
         let yielding = [PlasticStrain, PlasticWork];
         let yielding = yielding.into_iter().filter(|_| solid.is_some_and(|own| own.material.yields()));
-        return [Displacement, Position, Reaction].into_iter().chain(yielding).chain(touching).collect();
+        let own = [Displacement, Position, Reaction].into_iter().chain(yielding);
+        return own.chain(touching).chain(rubbed).collect();
     }
     let mut known = vec![Displacement, Position, Reaction, Velocity];
     if solid.is_none_or(SolidScene::has_directors) {
@@ -198,11 +201,7 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     if scene.may_touch() {
         known.extend([ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea]);
     }
-    let rubs = |contact: &ContactScene| contact.is_rough() && contact.is_of(scene.name);
-    let rubbed = scene.body.tools().iter().any(ToolScene::is_rough);
-    if rubbed || scene.scene.contact.iter().any(rubs) {
-        known.push(FrictionLoss);
-    }
+    known.extend(rubbed);
     if scene.as_shell().is_some_and(ShellScene::yields) {
         known.extend([PlasticStrain, Thickness, PlasticWork]);
     }
@@ -212,6 +211,12 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
         known.extend([ReactionMoment, VonMises, Stress, MembraneForce, BendingMoment, ShearForce, Energy]);
     }
     known
+}
+
+/// Whether the body touches anything with friction.
+fn rubs(scene: &BodyInScene<'_>) -> bool {
+    let between = |contact: &ContactScene| contact.is_rough() && contact.is_of(scene.name);
+    scene.body.tools().iter().any(ToolScene::is_rough) || scene.scene.contact.iter().any(between)
 }
 
 pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
