@@ -1,4 +1,4 @@
-//! A solid on a rigid tool: the surface by which other bodies touch it, the tool's distance, and friction with its history.
+//! A solid on a rigid tool: the surface by which other bodies touch it, the tool's distance, and, in time, friction with its history.
 
 use contact::{Friction, Pose, ToolContact, ToolShape, Touch, Watch};
 use explicit_dynamics::{Amplitude, Instant};
@@ -165,30 +165,6 @@ impl OnTool {
         self.rough.as_ref().map(RoughTool::friction)
     }
 
-    /// Makes the anchors of the forces last evaluated those that count.
-    fn commit_friction(&mut self) {
-        let Self { rough, contact, skin, .. } = self;
-        if let Some(rough) = rough {
-            rough.commit(contact, skin);
-        }
-    }
-
-    /// The committed history of friction; nothing of a smooth tool.
-    fn history_of_friction(&self) -> Vec<f64> {
-        self.rough.as_ref().map_or_else(Vec::new, RoughTool::numbers)
-    }
-
-    /// Takes that up; false, and nothing changed, if it is that of another.
-    fn recall_friction(&mut self, history: &[f64]) -> bool {
-        let vertices = self.contact.surface.vertices().len();
-        self.rough.as_mut().map_or(history.is_empty(), |rough| rough.take_up(history, vertices))
-    }
-
-    /// Energy that friction lost at a place until the last commit \[F L\].
-    fn lost_of(&self, place: usize) -> f64 {
-        self.rough.as_ref().map_or(0.0, |rough| rough.lost_at(place))
-    }
-
     /// Reads the pairs that share a block from the list.
     fn read_pairs(&mut self) {
         let Self { skin, contact, pairs, listed, .. } = self;
@@ -252,19 +228,23 @@ impl explicit_dynamics::Interaction for OnTool {
     }
 
     fn commit(&mut self) {
-        self.commit_friction();
+        let Self { rough, contact, skin, .. } = self;
+        if let Some(rough) = rough {
+            rough.commit(contact, skin);
+        }
     }
 
     fn lost_at(&self, place: usize) -> f64 {
-        self.lost_of(place)
+        self.rough.as_ref().map_or(0.0, |rough| rough.lost_at(place))
     }
 
     fn kept(&self) -> Vec<f64> {
-        self.history_of_friction()
+        self.rough.as_ref().map_or_else(Vec::new, RoughTool::numbers)
     }
 
     fn take_up(&mut self, kept: &[f64], _masses: &[f64]) -> bool {
-        self.recall_friction(kept)
+        let vertices = self.contact.surface.vertices().len();
+        self.rough.as_mut().map_or(kept.is_empty(), |rough| rough.take_up(kept, vertices))
     }
 }
 
@@ -305,42 +285,13 @@ impl implicit_statics::Interaction for OnTool {
         true
     }
 
-    fn remembers(&self) -> bool {
-        self.rough.is_some()
-    }
-
-    fn history(&self) -> Vec<f64> {
-        self.history_of_friction()
-    }
-
-    fn recall(&mut self, history: &[f64]) {
-        self.recall_friction(history);
-    }
-
-    fn commit(&mut self, _places: &[[f64; 3]]) {
-        self.commit_friction();
-    }
-
-    fn lost_at(&self, place: usize) -> f64 {
-        self.lost_of(place)
-    }
-
-    /// The list; where there is friction, its length and the history of that before it.
     fn kept(&self) -> Vec<f64> {
-        let history = self.history_of_friction();
-        let length = self.rough.as_ref().map(|_| history.len() as f64);
-        let listed = self.listed.iter().map(|&number| f64::from(number));
-        length.into_iter().chain(history).chain(listed).collect()
+        self.listed.iter().map(|&number| f64::from(number)).collect()
     }
 
     fn take_up(&mut self, kept: &[f64]) -> bool {
-        let parts = match (&self.rough, kept.split_first()) {
-            (None, _) | (Some(_), None) => Some((&kept[..0], kept)),
-            (Some(_), Some((length, rest))) => rest.split_at_checked(*length as usize),
-        };
-        let Some((history, kept)) = parts else { return false };
         let count = self.contact.surface.vertices().len() as f64;
-        if kept.iter().any(|number| !(0.0..count).contains(number)) || !self.recall_friction(history) {
+        if kept.iter().any(|number| !(0.0..count).contains(number)) {
             return false;
         }
         self.listed = kept.iter().map(|&number| number as u32).collect();
@@ -358,7 +309,7 @@ impl implicit_statics::Interaction for OnTool {
         rates.fill([0.0; 3]);
         let (skin, rate) = (&self.skin, share(&self.motion, self.amplitude.value(0.0)));
         self.contact.rates(
-            self.friction(),
+            None,
             &self.stood,
             &rate,
             |node| skin.place(at, (0, node)),

@@ -185,14 +185,12 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
         BodyScene::Shell(_) | BodyScene::Solid(_) => {}
     }
     let solid = scene.as_solid();
-    let rubbed = rubs(scene).then_some(FrictionLoss);
     if solid.is_some_and(|solid| solid.galerkin().is_some()) {
         let touching = [ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea];
         let touching = touching.into_iter().filter(|_| scene.may_touch());
         let yielding = [PlasticStrain, PlasticWork];
         let yielding = yielding.into_iter().filter(|_| solid.is_some_and(|own| own.material.yields()));
-        let own = [Displacement, Position, Reaction].into_iter().chain(yielding);
-        return own.chain(touching).chain(rubbed).collect();
+        return [Displacement, Position, Reaction].into_iter().chain(yielding).chain(touching).collect();
     }
     let mut known = vec![Displacement, Position, Reaction, Velocity];
     if solid.is_none_or(SolidScene::has_directors) {
@@ -201,7 +199,7 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     if scene.may_touch() {
         known.extend([ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea]);
     }
-    known.extend(rubbed);
+    known.extend(rubs(scene).then_some(FrictionLoss));
     if scene.as_shell().is_some_and(ShellScene::yields) {
         known.extend([PlasticStrain, Thickness, PlasticWork]);
     }
