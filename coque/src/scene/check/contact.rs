@@ -2,7 +2,7 @@
 
 use crate::scene::analysis::Analysis;
 use crate::scene::analysis_kind::Contacts;
-use crate::scene::check::tools::{RUBBED_BONDS, too_sharp};
+use crate::scene::check::rubbing::{RUBBED_BONDS, too_sharp};
 use crate::scene::contact::ContactScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::{BodyScene, Scene};

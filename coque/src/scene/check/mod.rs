@@ -11,6 +11,7 @@ mod glue;
 mod imperfection;
 mod preload;
 mod rigid;
+mod rubbing;
 mod sets;
 mod several;
 mod shell;

@@ -5,26 +5,14 @@ use std::collections::BTreeSet;
 use crate::scene::analysis::Analysis;
 use crate::scene::analysis_kind::Contacts;
 use crate::scene::body_in_scene::BodyInScene;
-use crate::scene::bounded::Rounding;
 use crate::scene::check::conditions::check_course;
 use crate::scene::check::contact::without_surface;
+use crate::scene::check::rubbing::{RUBBED_BONDS, too_sharp};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::rigid::RigidScene;
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
 use crate::scene::tools::ToolScene;
-
-/// Least rounding of contact on which bonds rub \[–\]: nodes that slide on a sharp law flutter, and lose the force across in which they rub. A block that slides
-/// on a slope of 30 degrees is then 7 to 22 % too fast, with .005 by 5·10⁻⁴.
-const LEAST_ROUNDING: f64 = 0.005;
-/// The same in words.
-pub(super) const RUBBED_BONDS: &str =
-    "0.005 or more beside friction of a solid of bonds: nodes that slide on a sharper law flutter";
-
-/// Whether bonds would flutter on a rounding.
-pub(super) fn too_sharp(rounding: &Rounding) -> bool {
-    rounding.get() < LEAST_ROUNDING
-}
 
 /// Refuses tools without a shape or of several, of one name, without directions, and in analyses that know no contact.
 pub(super) fn check_tools(scene: &BodyInScene<'_>, s: &Scope<'_>) -> Verdict {
