@@ -97,6 +97,17 @@ pub fn incline(friction: f64, slope: f64) -> f64 {
     (sin(slope) - friction * cos(slope)).max(0.0)
 }
 
+/// Acceleration over that of gravity of a solid ball on such a slope: it rolls with five sevenths of what pulls it, for which friction bears
+/// `2/7 m g sin φ`, up to `tan φ = 7/2 μ`; beyond it slides.
+pub fn rolling(friction: f64, slope: f64) -> f64 {
+    if sin(slope) <= 3.5 * friction * cos(slope) { 5.0 / 7.0 * sin(slope) } else { incline(friction, slope) }
+}
+
+/// Rate of its spin times its radius over the acceleration of gravity: that of rolling, or `5/2 μ cos φ` by the moment of the friction.
+pub fn spinning(friction: f64, slope: f64) -> f64 {
+    (5.0 / 7.0 * sin(slope)).min(2.5 * friction * cos(slope))
+}
+
 /// Ratio of the tensions of a belt that slips on a drum over an angle \[rad\], by Euler and Eytelwein.
 pub fn capstan(friction: f64, angle: f64) -> f64 {
     exp(friction * angle)

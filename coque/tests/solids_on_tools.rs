@@ -178,7 +178,7 @@ fn tools_that_a_solid_cannot_touch_are_refused() {
     assert!(error.contains("tools[0]") && error.contains("deep in the solid"), "{error}");
     let rough = BALL.replace("moved", "friction = 0.3, moved");
     let error = refused(PRESSED, &[("bodies.block.solid.tools", &rough)]);
-    assert!(error.contains("tools[0].friction") && error.contains("friction of solids"), "{error}");
+    assert!(error.contains("tools[0].friction") && error.contains("smooth at rest"), "{error}");
     let thin =
         "[{ name = \"pin\", sphere = { centre = [0.5, 0.5, 0.503], radius = 0.002 }, moved = [0, 0, -0.1] }]";
     let error = refused(PRESSED, &[("bodies.block.solid.tools", thin)]);

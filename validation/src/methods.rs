@@ -36,6 +36,8 @@ pub const ELEMENTS: &str = "fe shell";
 pub const PAIRWISE: &str = "bond-based";
 /// Bonds that feel the dilatation at both ends.
 pub const STATE: &str = "state-based";
+/// A rigid body.
+pub const RIGID: &str = "rigid body";
 /// A thin plate of two peridynamic sheets on directors.
 pub const SHEETS: &str = "two sheets";
 

@@ -79,17 +79,15 @@ impl<At: Fn(Node) -> Vec3> Seen<'_, At> {
 
 impl Rubbing {
     fn new(coefficient: f64, meshes: &[Mesh]) -> Self {
-        let first = |mesh: &Mesh, count: usize, parts: &dyn Fn(usize) -> [u32; 3]| {
+        let first = |count: usize, parts: &[[u32; 3]]| {
             let mut at = vec![0; count];
-            for face in (0..mesh.faces().len()).rev() {
-                parts(face).iter().for_each(|&part| at[part as usize] = face as u32);
+            for (face, parts) in parts.iter().enumerate().rev() {
+                parts.iter().for_each(|&part| at[part as usize] = face as u32);
             }
             at
         };
-        let at_edge = meshes.iter().map(|mesh| first(mesh, mesh.edges().len(), &|face| mesh.sides()[face]));
-        let at_vertex = meshes
-            .iter()
-            .map(|mesh| first(mesh, mesh.surface().vertices().len(), &|face| mesh.faces()[face]));
+        let at_edge = meshes.iter().map(|mesh| first(mesh.edges().len(), mesh.sides()));
+        let at_vertex = meshes.iter().map(|mesh| first(mesh.surface().vertices().len(), mesh.faces()));
         let nodes = |mesh: &Mesh| mesh.nodes().max().map_or(0, |a| a as usize + 1);
         Self {
             coefficient,

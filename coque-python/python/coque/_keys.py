@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     Box3 = TypedDict("Box3", {"max": Sequence[float], "min": Sequence[float]})
     Branches: TypeAlias = Union[Literal['primary'], Literal['stable'], Literal['stable-reversed']]
     Buckling = TypedDict("Buckling", {"modes": int, "prebuckling": NotRequired["Prebuckling"], "sign": NotRequired["Sign"]})
+    Coat = TypedDict("Coat", {"thickness": float, "young": float})
     Contact = TypedDict("Contact", {"distance": NotRequired[float], "walls": NotRequired[Sequence["Wall"]]})
     ContactScene = TypedDict("ContactScene", {"between": NotRequired[Sequence[str]], "friction": NotRequired[float], "rounding": NotRequired[float], "stiffness": NotRequired[float]})
     Correction: TypeAlias = Union[Literal['none'], Literal['even'], Literal['balanced'], Literal['energy-factor']]
@@ -178,7 +179,7 @@ if TYPE_CHECKING:
     RigidGeometry_2 = TypedDict("RigidGeometry_2", {"box": "RigidBox"})
     RigidGeometry_3 = TypedDict("RigidGeometry_3", {"mesh": "Mesh"})
     RigidGeometry: TypeAlias = Union["RigidGeometry_1", "RigidGeometry_2", "RigidGeometry_3"]
-    RigidScene = TypedDict("RigidScene", {"density": NotRequired[float], "geometry": "RigidGeometry", "inertia": NotRequired["PerAxis"], "mass": NotRequired[float], "products": NotRequired[Sequence[float]], "velocity": NotRequired["Velocity"]})
+    RigidScene = TypedDict("RigidScene", {"coat": NotRequired["Coat"], "density": NotRequired[float], "geometry": "RigidGeometry", "inertia": NotRequired["PerAxis"], "mass": NotRequired[float], "products": NotRequired[Sequence[float]], "tools": NotRequired[Sequence["ToolScene"]], "velocity": NotRequired["Velocity"]})
     Rotated = TypedDict("Rotated", {"axis": Sequence[float], "by": float})
     RoundHole = TypedDict("RoundHole", {"axis": Sequence[float], "point": Sequence[float], "radius": float})
     Rubber = TypedDict("Rubber", {"density": float, "law": "RubberLaw"})

@@ -34,9 +34,9 @@ impl Checked {
                 return coupled_model(&bodies, of_fluid, fluid, threads);
             }
         }
-        let tools_of_solid =
-            |of: &BodyInScene<'_>| of.as_solid().is_some_and(|solid| !solid.tools.is_empty());
-        if bodies.len() > 1 || bodies.iter().any(tools_of_solid) {
+        // A shell has its tools itself.
+        let has_tools = |of: &BodyInScene<'_>| of.as_shell().is_none() && !of.body.tools().is_empty();
+        if bodies.len() > 1 || bodies.iter().any(has_tools) {
             return together_model(self, &bodies, threads);
         }
         let scene = &self.first_body()?;

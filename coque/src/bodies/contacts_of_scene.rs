@@ -28,7 +28,10 @@ impl ContactsOfScene {
             parts => parts,
         };
         let bodies = names.into_iter().map(|name| (name.to_string(), tools(name))).collect();
-        let alone = scene.bodies.values().next().map_or("shell", BodyScene::word);
+        let alone = match scene.bodies.values().next() {
+            Some(BodyScene::Rigid(_)) => "rigid body",
+            body => body.map_or("shell", BodyScene::word),
+        };
         Self { bodies, alone, unseen: Unseen::of(scene, body) }
     }
 

@@ -35,12 +35,14 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 84] = [
+const EXAMPLES: [Example; 86] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
+    Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
     Example::new("balloon-inflating", 0.5, include_str!("../../../scenes/meshes/balloon-inflating.toml")),
     Example::new("block-on-flat", 0.1, include_str!("../../../scenes/block-on-flat.toml")),
+    Example::new("block-on-incline", 0.1, include_str!("../../../scenes/block-on-incline.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-on-flat", 1.0, include_str!("../../../scenes/cantilever-on-flat.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),

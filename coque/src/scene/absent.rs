@@ -64,8 +64,8 @@ const ROWS: &[Row] = &[
         &["friction", "self_contact"],
         &[],
         NotYet {
-            feature: "contact of solids with themselves, friction of solids",
-            nearest: "[[contact]] between two bodies or of a shell with itself, with `friction`; rigid [[tools]] that a shell touches, with `friction` (coque new strip-over-drum, capstan); contact of a solid of bonds with its fragments and with planes, [bodies.NAME.solid.contact]; what stays \
+            feature: "contact of solids with themselves, friction between solids at rest",
+            nearest: "[[contact]] between two bodies or of a shell with itself, with `friction`; rigid [[tools]] that a body touches, with `friction` (coque new strip-over-drum, capstan); contact of a solid of bonds with its fragments and with planes, [bodies.NAME.solid.contact]; what stays \
                       joined is tied by [[ties]] or made rigid by [[rigid]]",
         },
     ),

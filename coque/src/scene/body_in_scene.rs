@@ -178,7 +178,7 @@ impl<'a> BodyInScene<'a> {
         match self.body {
             BodyScene::Shell(shell) => !(shell.tools.is_empty() && self.scene.contact.is_empty()),
             BodyScene::Solid(solid) => !(solid.tools.is_empty() && self.scene.contact.is_empty()),
-            BodyScene::Rigid(_) => !self.scene.contact.is_empty(),
+            BodyScene::Rigid(rigid) => !(rigid.tools.is_empty() && self.scene.contact.is_empty()),
             BodyScene::Fluid(_) | BodyScene::Walls(_) => false,
         }
     }

@@ -135,7 +135,7 @@ pub enum Measured {
     GlueForce,
     /// Component of the way from where glue holds a particle to where it is \[L\]: of particles of sets that are glued.
     GlueGap,
-    /// Energy that friction has taken of a shell \[F L\]: on tools, and one half of what it took where the shell rubs on another or on itself.
+    /// Energy that friction has taken of a body \[F L\]: on tools, and one half of what it took where it rubs on another or, a shell, on itself.
     FrictionLoss,
     /// Equivalent plastic strain of a body that yields, the greatest through the thickness of a shell and of the cells round a particle \[–\]. The largest
     /// of a set.

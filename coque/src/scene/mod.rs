@@ -64,7 +64,7 @@ pub use loads::{Axis, Couple, Force, Gravity, Load, LoadKind, Pressure, Traction
 pub use output::{ErrorBars, ErrorProbe, Fields, Output, Plot};
 pub use per_axis::PerAxis;
 pub use problem::{BodyScene, Scene};
-pub use rigid::{RigidBall, RigidBox, RigidGeometry, RigidScene};
+pub use rigid::{Coat, RigidBall, RigidBox, RigidGeometry, RigidScene};
 pub use sets::{Box3, Layer, OnPlane, Region};
 pub use shell::ShellScene;
 pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};

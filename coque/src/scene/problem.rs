@@ -123,7 +123,8 @@ impl BodyScene {
         match self {
             Self::Shell(shell) => &shell.tools,
             Self::Solid(solid) => &solid.tools,
-            Self::Fluid(_) | Self::Walls(_) | Self::Rigid(_) => &[],
+            Self::Rigid(rigid) => &rigid.tools,
+            Self::Fluid(_) | Self::Walls(_) => &[],
         }
     }
 }

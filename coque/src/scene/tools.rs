@@ -7,7 +7,7 @@ use serde::Deserialize;
 use crate::scene::bounded::{FrictionCoefficient, Positive, Rounding};
 
 /// A rigid tool of one shape, smooth unless `friction` is given. It pushes on both faces of a shell, whose mid-surface stands half a thickness off it when they
-/// touch, or on the faces of a solid.
+/// touch, or on the faces of a solid or of the coat of a rigid body.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct ToolScene {
@@ -33,10 +33,11 @@ pub struct ToolScene {
     /// Whether its motion is made in full before the analysis and held: the level counts the other motions.
     #[serde(default)]
     pub preload: bool,
-    /// Coefficient of friction μ \[–\], on shells; left out, none.
+    /// Coefficient of friction μ \[–\]; left out, none.
     pub friction: Option<FrictionCoefficient>,
     /// Factor on the stiffness of contact; left out, 1: the lesser of what the thickness gives, 2E/t, and of what shortens steps in time by
-    /// a tenth at most; of a solid E/r, r half of the spacing of bonds and a tenth of that of a Galerkin solid.
+    /// a tenth at most; of a solid E/r, r half of the spacing of bonds and a hundredth of that of a Galerkin solid; of a rigid body that of
+    /// its coat.
     pub stiffness: Option<Positive>,
     /// Depth over half of the thickness up to which the force sets in softly \[–\]; left out, .05 in time, where bodies bounce, and 0
     /// without time.

@@ -112,6 +112,15 @@ impl Acting {
         self.rests || self.interaction.is_external()
     }
 
+    /// What it lost of the work of something prescribed is dissipated, and was no work of loads.
+    fn count_external_loss(&self, work: &mut Work) {
+        if !self.rests && self.interaction.is_external() {
+            let lost = self.interaction.lost();
+            work.dissipated += lost;
+            work.external += lost;
+        }
+    }
+
     /// Reads the velocities before a kick.
     pub fn before<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>]) {
         if self.is_left_out() {
@@ -122,6 +131,7 @@ impl Acting {
 
     /// Takes its own work over a kick out of the external work, and counts what it resisted as internal forces do.
     pub fn after<S: Joinable + ?Sized>(&mut self, systems: &[Box<S>], kick: f64, work: &mut Work) {
+        self.count_external_loss(work);
         if self.is_left_out() {
             return;
         }

@@ -54,7 +54,8 @@ pub trait Interaction: Any + Send {
     /// Puts what is prescribed of it where an instant has that.
     fn put(&mut self, _at: Instant) {}
 
-    /// Whether something prescribed, which is no system, takes part: its work is external then, as that of loads, and it has no energy.
+    /// Whether something prescribed, which is no system, takes part: its work is external then, as that of loads, but for what it loses, and it
+    /// has no energy.
     fn is_external(&self) -> bool {
         false
     }

@@ -51,8 +51,9 @@ pub(in crate::bodies) fn rigid_made(
     let mut body = RigidBody::new(parts).map_err(|error| refused(scene, rigid, &error))?;
     set_out(rigid, &mut body);
     if let Analysis::Explicit(Explicit { transient: Some(run), .. }) = scene.analysis {
-        // Bodies beside it have steps of their own.
-        let steps = if scene.together { 1.0 } else { STEPS_A_RECORD };
+        // Bodies beside it have steps of their own, and so has its contact with tools.
+        let alone = !scene.together && rigid.tools.is_empty();
+        let steps = if alone { STEPS_A_RECORD } else { 1.0 };
         body.bound_step(run.record_every.get() / steps);
     }
     if !scene.together {

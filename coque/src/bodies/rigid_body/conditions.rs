@@ -121,11 +121,13 @@ pub(super) fn holds(supports: &[Support], springs: &[Spring], centre: &Vec3) -> 
     all
 }
 
-/// The columns of the curve; forces of contact on all of the body are those on its vertices.
+/// The columns of the curve; forces and losses of contact on all of the body are those on its vertices.
 pub(super) fn probes(scene: &BodyInScene<'_>, sets: &Sets, vertices: u32) -> Vec<Probe> {
     let probe = |column: &OnSet<'_, crate::scene::Probe>| {
-        let of_contact =
-            matches!(column.of, Measured::ContactForce | Measured::ContactMoment | Measured::GlueForce);
+        let of_contact = matches!(
+            column.of,
+            Measured::ContactForce | Measured::ContactMoment | Measured::FrictionLoss | Measured::GlueForce
+        );
         let whole = of_contact && column.on == "all";
         let places = if whole { (0..vertices).collect() } else { members(sets, column.on).to_vec() };
         let direction = column.direction.map_or_else(Vec3::zeros, |v| Vec3::from(v).normalize());

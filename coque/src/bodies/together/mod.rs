@@ -21,6 +21,7 @@ mod nodal;
 mod nodal_on_tool;
 mod on_tool;
 mod parts;
+mod rough_tool;
 mod rows;
 mod sides;
 mod skin;

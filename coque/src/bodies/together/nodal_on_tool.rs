@@ -15,7 +15,8 @@ impl OnTool {
         let (skin, particles) = self.carried();
         let count = skin.nodes(0).last().map_or(0, |(_, node)| node as usize + 1);
         let mut of_nodes = vec![NodalContact::default(); count];
-        self.contact.nodal_contact(None, &self.stood, |node| self.node_at(places, node), &mut of_nodes);
+        let at = |node| self.node_at(places, node);
+        self.contact.nodal_contact(self.friction(), &self.stood, at, &mut of_nodes);
         let mut own = vec![NodalContact::default(); nodal.len()];
         for node in skin.nodes(0) {
             let whole = of_nodes[node.1 as usize];

@@ -1,11 +1,12 @@
-//! A solid on a rigid tool: the surface by which other bodies touch it, and the tool's distance.
+//! A solid on a rigid tool: the surface by which other bodies touch it, the tool's distance, and, in time, friction with its history.
 
-use contact::{Pose, ToolContact, ToolShape, Touch, Watch};
+use contact::{Friction, Pose, ToolContact, ToolShape, Touch, Watch};
 use explicit_dynamics::{Amplitude, Instant};
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
 use super::contact::Side;
+use super::rough_tool::RoughTool;
 use super::rows::Rows;
 use super::skin::Skin;
 
@@ -30,8 +31,10 @@ pub(in crate::bodies) struct OnTool {
     /// How the contact is counted in rows.
     pub(super) rows: Option<Rows>,
     watch: Watch,
-    /// How far the tool has moved at level one \[L\].
-    motion: Vec3,
+    /// Friction; none of a smooth tool.
+    pub(super) rough: Option<RoughTool>,
+    /// How far the tool has moved and turned at level one.
+    motion: Pose,
     amplitude: Amplitude,
     /// Where it stands.
     pub stood: Pose,
@@ -56,8 +59,10 @@ pub(super) struct ToolAt {
     pub shape: ToolShape,
     /// The contact with the surface of the body.
     pub contact: ToolContact,
-    /// How far it has moved at level one \[L\].
-    pub motion: Vec3,
+    /// Coefficient of friction μ \[–\], zero of a smooth one.
+    pub friction: f64,
+    /// How far it has moved and turned at level one.
+    pub motion: Pose,
     /// What of that a time brings.
     pub amplitude: Amplitude,
 }
@@ -65,13 +70,14 @@ pub(super) struct ToolAt {
 impl OnTool {
     /// A body, one of so many, on a tool.
     pub(super) fn new(side: &Side, tool: ToolAt, bodies: usize) -> Self {
-        let ToolAt { number, name, shape, contact, motion, amplitude } = tool;
+        let ToolAt { number, name, shape, contact, friction, motion, amplitude } = tool;
         let mut nodes: Vec<u32> =
             contact.surface.vertices().iter().flat_map(|vertex| vertex.nodes().iter().copied()).collect();
         nodes.sort_unstable();
         nodes.dedup();
         let (skin, [own, _]) = Skin::new([&nodes, &[]], [side.inside.as_deref(), None]);
         let mut particles = vec![Vec::new(); bodies];
+        let places = own.len();
         particles[side.body] = own;
         Self {
             body: side.body,
@@ -81,6 +87,7 @@ impl OnTool {
             skin,
             rows: side.rows.clone(),
             watch: Watch::new(&contact.surface),
+            rough: RoughTool::new(friction, &contact, places),
             contact,
             shape,
             motion,
@@ -97,7 +104,12 @@ impl OnTool {
     /// A line for the summary.
     pub fn line(&self) -> String {
         let [body, tool] = &self.names;
-        format!("contact of {body} with the tool `{tool}`: stiffness {:.3e} by area", self.contact.stiffness)
+        let friction = self.rough.as_ref().map(|rough| format!(", friction {}", rough.coefficient()));
+        format!(
+            "contact of {body} with the tool `{tool}`: stiffness {:.3e} by area{}",
+            self.contact.stiffness,
+            friction.unwrap_or_default()
+        )
     }
 
     /// Where a node of the surface is, all particles of the body being at places \[L\].
@@ -114,17 +126,17 @@ impl OnTool {
     }
 
     fn stand(&mut self, at: Instant) {
-        self.stood = Pose::moved(self.motion * (at.level * self.amplitude.value(at.time)));
+        self.stood = share(&self.motion, at.level * self.amplitude.value(at.time));
     }
 
     fn evaluated(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) {
         forces.fill([0.0; 3]);
-        let Self { skin, contact, watch, stood, touch, .. } = self;
+        let Self { skin, contact, watch, rough, stood, touch, .. } = self;
         // Nothing bounds how far places have moved since.
         watch.forget();
         *touch = contact.forces(
             watch,
-            None,
+            rough.as_mut().map(RoughTool::friction_mut),
             stood,
             |node| skin.place(places, (0, node)),
             |node, force| {
@@ -137,7 +149,7 @@ impl OnTool {
     fn second(&self, places: &[[f64; 3]], mut put: impl FnMut(usize, usize, &Matrix3<f64>)) {
         let skin = &self.skin;
         self.contact.tangent(
-            None,
+            self.friction(),
             &self.stood,
             |node| skin.place(places, (0, node)),
             |a, b, change| {
@@ -146,6 +158,11 @@ impl OnTool {
                 });
             },
         );
+    }
+
+    /// Its friction.
+    pub(super) fn friction(&self) -> Option<&Friction> {
+        self.rough.as_ref().map(RoughTool::friction)
     }
 
     /// Reads the pairs that share a block from the list.
@@ -205,6 +222,30 @@ impl explicit_dynamics::Interaction for OnTool {
         };
         self.contact.surface.vertices().iter().map(of).fold(0.0, f64::max)
     }
+
+    fn lost(&self) -> f64 {
+        self.friction().map_or(0.0, Friction::lost)
+    }
+
+    fn commit(&mut self) {
+        let Self { rough, contact, skin, .. } = self;
+        if let Some(rough) = rough {
+            rough.commit(contact, skin);
+        }
+    }
+
+    fn lost_at(&self, place: usize) -> f64 {
+        self.rough.as_ref().map_or(0.0, |rough| rough.lost_at(place))
+    }
+
+    fn kept(&self) -> Vec<f64> {
+        self.rough.as_ref().map_or_else(Vec::new, RoughTool::numbers)
+    }
+
+    fn take_up(&mut self, kept: &[f64], _masses: &[f64]) -> bool {
+        let vertices = self.contact.surface.vertices().len();
+        self.rough.as_mut().map_or(kept.is_empty(), |rough| rough.take_up(kept, vertices))
+    }
 }
 
 impl implicit_statics::Interaction for OnTool {
@@ -217,7 +258,7 @@ impl implicit_statics::Interaction for OnTool {
     }
 
     fn moves(&self) -> bool {
-        self.motion != Vec3::zeros()
+        self.motion != Pose::default()
     }
 
     fn pairs(&self) -> Vec<[usize; 2]> {
@@ -266,7 +307,7 @@ impl implicit_statics::Interaction for OnTool {
 
     fn rates(&self, at: &[[f64; 3]], rates: &mut [[f64; 3]]) -> bool {
         rates.fill([0.0; 3]);
-        let (skin, rate) = (&self.skin, Pose::moved(self.motion * self.amplitude.value(0.0)));
+        let (skin, rate) = (&self.skin, share(&self.motion, self.amplitude.value(0.0)));
         self.contact.rates(
             None,
             &self.stood,
@@ -288,4 +329,9 @@ impl implicit_statics::Interaction for OnTool {
             }
         });
     }
+}
+
+/// A share of a motion.
+fn share(motion: &Pose, share: f64) -> Pose {
+    Pose { moved: motion.moved * share, angle: motion.angle * share }
 }

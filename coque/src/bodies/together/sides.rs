@@ -32,7 +32,7 @@ fn named(scene: &Scene, name: &str) -> Option<usize> {
     (0..scene.contact.len()).find(names)
 }
 
-/// Nothing of a solid that no contact names and that has no tools.
+/// Nothing of a body that no contact names and that has no tools.
 fn touches(scene: &BodyInScene<'_>) -> Option<()> {
     let tools = !scene.body.tools().is_empty();
     (tools || named(scene.scene, scene.name).is_some()).then_some(())
@@ -122,7 +122,7 @@ pub(super) fn of_galerkin(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Ga
 
 /// The surface of a rigid body, of no thickness: it gives way nowhere, and the stiffness of contact is that of the other body alone.
 pub(super) fn of_rigid(scene: &BodyInScene<'_>, body: &RigidBody, spacing: f64) -> Option<Side> {
-    named(scene.scene, scene.name)?;
+    touches(scene)?;
     Some(Side {
         name: scene.name.into(),
         body: 0,

@@ -2,6 +2,7 @@
 
 use crate::scene::analysis::Analysis;
 use crate::scene::analysis_kind::Contacts;
+use crate::scene::check::rubbing::{RUBBED_BONDS, too_sharp};
 use crate::scene::contact::ContactScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::{BodyScene, Scene};
@@ -158,22 +159,42 @@ fn check_walls(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     Ok(())
 }
 
-/// Refuses what was not measured yet: solids of bonds that touch at rest, friction of what is no shell.
+/// Refuses what was not measured yet: solids of bonds that touch at rest, friction of what is no shell at rest or in a fluid; and that of two solids
+/// of bonds, balls without faces in which an anchor could lie.
 fn check_unmeasured(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
+    let of_bonds = |body: &BodyScene| matches!(body, BodyScene::Solid(solid) if solid.galerkin().is_none());
+    let marched = matches!(scene.analysis, Analysis::Explicit(_));
+    let friction = scene.contact[number].friction.filter(|_| scene.contact[number].is_rough());
+    let both = between.iter().all(|name| scene.bodies.get(name).is_some_and(of_bonds));
     for name in between {
         let Some(body) = scene.bodies.get(name) else { continue };
-        let bonds = matches!(body, BodyScene::Solid(solid) if solid.galerkin().is_none());
-        if bonds && !matches!(scene.analysis, Analysis::Explicit(_)) {
+        if of_bonds(body) && !marched {
             let path = format!("contact[{number}].between");
             let bound = "a shell, a Galerkin solid or a rigid body at rest: contact of bonds was measured in marches alone";
             return refuse(scene, &path, &format!("\"{name}\""), bound, "march it, by [analysis.explicit]");
         }
-        let rubs = |body: &BodyScene| matches!(body, BodyScene::Shell(_) | BodyScene::Walls(_));
-        let friction = scene.contact[number].friction.filter(|_| !rubs(body));
+        let sharp = scene.contact[number].rounding.filter(too_sharp).filter(|_| of_bonds(body));
+        if let Some(rounding) = sharp.filter(|_| friction.is_some()) {
+            let path = format!("contact[{number}].rounding");
+            let repair = "leave `rounding` out";
+            return refuse(scene, &path, &format!("{}", rounding.get()), RUBBED_BONDS, repair);
+        }
+        let rubs = matches!(body, BodyScene::Shell(_) | BodyScene::Walls(_));
+        let bound = match (marched, scene.fluid()) {
+            (true, None) if both => {
+                "smooth between two solids of bonds: they are balls, which have no faces to stick to".into()
+            }
+            _ if rubs => continue,
+            (true, None) => continue,
+            (true, Some(_)) => {
+                format!("smooth where `{name}` is no shell: its friction was not measured in a fluid yet")
+            }
+            (false, _) => format!(
+                "smooth where `{name}` is no shell: friction between solids was measured in marches alone"
+            ),
+        };
         if let Some(friction) = friction {
             let path = format!("contact[{number}].friction");
-            let bound =
-                format!("smooth where `{name}` is no shell: friction was measured between shells alone");
             return refuse(scene, &path, &format!("{}", friction.get()), &bound, "leave `friction` out");
         }
     }

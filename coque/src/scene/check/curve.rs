@@ -179,6 +179,7 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
             if scene.may_touch() {
                 known.extend([ContactForce, ContactMoment]);
             }
+            known.extend(rubs(scene).then_some(FrictionLoss));
             return known;
         }
         BodyScene::Shell(_) | BodyScene::Solid(_) => {}
@@ -198,11 +199,7 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     if scene.may_touch() {
         known.extend([ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea]);
     }
-    let rubs = |contact: &ContactScene| contact.is_rough() && contact.is_of(scene.name);
-    let rubbed = scene.body.tools().iter().any(ToolScene::is_rough);
-    if rubbed || scene.scene.contact.iter().any(rubs) {
-        known.push(FrictionLoss);
-    }
+    known.extend(rubs(scene).then_some(FrictionLoss));
     if scene.as_shell().is_some_and(ShellScene::yields) {
         known.extend([PlasticStrain, Thickness, PlasticWork]);
     }
@@ -212,6 +209,12 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
         known.extend([ReactionMoment, VonMises, Stress, MembraneForce, BendingMoment, ShearForce, Energy]);
     }
     known
+}
+
+/// Whether the body touches anything with friction.
+fn rubs(scene: &BodyInScene<'_>) -> bool {
+    let between = |contact: &ContactScene| contact.is_rough() && contact.is_of(scene.name);
+    scene.body.tools().iter().any(ToolScene::is_rough) || scene.scene.contact.iter().any(between)
 }
 
 pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {

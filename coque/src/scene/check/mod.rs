@@ -11,6 +11,7 @@ mod glue;
 mod imperfection;
 mod preload;
 mod rigid;
+mod rubbing;
 mod sets;
 mod several;
 mod shell;
@@ -31,7 +32,7 @@ use self::sets::{check_set_name, check_sets};
 use self::shell::{check_parts, check_wetting};
 use self::solid::check_solid;
 use self::together::{check_coupling, check_kinds, check_together};
-use self::tools::{check_tools, check_tools_of_solid};
+use self::tools::{check_tools, check_tools_of_rigid, check_tools_of_solid};
 
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
@@ -128,7 +129,11 @@ fn check_body(scene: &BodyInScene<'_>) -> Verdict {
             check_velocity_of_fluid(fluid, s)?;
         }
         BodyScene::Walls(walls) => walls.check(scene, s)?,
-        BodyScene::Rigid(rigid) => rigid.check(s)?,
+        BodyScene::Rigid(rigid) => {
+            rigid.check(s)?;
+            check_tools(scene, s)?;
+            check_tools_of_rigid(scene, rigid, s)?;
+        }
     }
     check_imperfection(scene, s)?;
     body.velocity().map_or(Ok(()), |velocity| check_velocity(scene, velocity, s))

@@ -7,7 +7,9 @@ use crate::scene::analysis_kind::Contacts;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::conditions::check_course;
 use crate::scene::check::contact::without_surface;
+use crate::scene::check::rubbing::{RUBBED_BONDS, too_sharp};
 use crate::scene::error::{SceneError, Verdict};
+use crate::scene::rigid::RigidScene;
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
 use crate::scene::tools::ToolScene;
@@ -20,7 +22,8 @@ pub(super) fn check_tools(scene: &BodyInScene<'_>, s: &Scope<'_>) -> Verdict {
     }
     let kind = scene.analysis.kind();
     let refuse = |bound: String, repair: &str| {
-        let value = format!("tools that the {} may touch", scene.body.word());
+        let body = if scene.as_rigid().is_some() { "rigid body" } else { scene.body.word() };
+        let value = format!("tools that the {body} may touch");
         Err(SceneError::Choice(s.fault("tools", &value, &bound, repair)))
     };
     let repair = "use [analysis.static] or [analysis.explicit], or leave the tools out";
@@ -108,7 +111,7 @@ fn check_preloaded(scene: &BodyInScene<'_>, tool: &ToolScene, s: &Scope<'_>) -> 
     Ok(())
 }
 
-/// Refuses tools of solids that have no surface, and what was not measured on them yet: friction, bonds at rest.
+/// Refuses tools of solids that have no surface, and what was not measured on them yet: friction in a fluid, bonds at rest.
 pub(super) fn check_tools_of_solid(scene: &BodyInScene<'_>, solid: &SolidScene, s: &Scope<'_>) -> Verdict {
     if solid.tools.is_empty() {
         return Ok(());
@@ -125,12 +128,39 @@ pub(super) fn check_tools_of_solid(scene: &BodyInScene<'_>, solid: &SolidScene, 
         let repair = "march it, by [analysis.explicit], or use [formulation.galerkin]";
         return refuse("tools", "tools that a solid of bonds may touch", bound, repair);
     }
-    for (i, tool) in solid.tools.iter().enumerate() {
-        if let Some(friction) = tool.friction.filter(|_| tool.is_rough()) {
-            let (key, value) = (format!("tools[{i}].friction"), format!("{}", friction.get()));
-            let bound = "zero: friction of solids was not measured yet";
-            return refuse(&key, &value, bound, "leave `friction` out");
-        }
+    let rough = || solid.tools.iter().enumerate().filter(|(_, tool)| tool.is_rough());
+    let sharp = rough().find_map(|(number, tool)| Some((number, tool.rounding.filter(too_sharp)?)));
+    if let Some((number, rounding)) = sharp.filter(|_| bonds) {
+        let (key, value) = (format!("tools[{number}].rounding"), format!("{}", rounding.get()));
+        return refuse(&key, &value, RUBBED_BONDS, "leave `rounding` out");
+    }
+    let bound = match (scene.in_fluid, bonds) {
+        (true, _) => "smooth: friction of solids was not measured in a fluid yet",
+        (_, false) => "smooth at rest: what slips as a whole was not found to settle on a stiff tool yet",
+        _ => return Ok(()),
+    };
+    rough().next().map_or(Ok(()), |(number, _)| {
+        refuse(&format!("tools[{number}].friction"), "friction", bound, "leave `friction` out")
+    })
+}
+
+/// Refuses tools of a rigid body that nothing gives way to, a coat that nothing presses on, and tools at rest, on which no rigid body was measured yet.
+pub(super) fn check_tools_of_rigid(scene: &BodyInScene<'_>, rigid: &RigidScene, s: &Scope<'_>) -> Verdict {
+    let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(s.fault(key, value, bound, repair)))
+    };
+    if rigid.tools.is_empty() {
+        let bound = "none without `tools`: another body gives way by its own stiffness";
+        return rigid.coat.map_or(Ok(()), |_| refuse("coat", "a coat", bound, "add tools, or remove it"));
+    }
+    if rigid.coat.is_none() {
+        let bound = "given beside `tools`: two rigid faces have no stiffness of contact";
+        return refuse("coat", "nothing", bound, "coat = { young = …, thickness = … }");
+    }
+    if !matches!(scene.analysis, Analysis::Explicit(_)) {
+        let bound = "none at rest: rigid bodies on tools were measured in marches alone";
+        let repair = "march it, by [analysis.explicit]";
+        return refuse("tools", "tools that the rigid body may touch", bound, repair);
     }
     Ok(())
 }

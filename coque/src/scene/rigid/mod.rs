@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::per_axis::PerAxis;
 use super::shell::mesh::Mesh;
+use super::tools::ToolScene;
 use super::velocity::Velocity;
 use crate::scene::bounded::Positive;
 
@@ -27,6 +28,21 @@ pub struct RigidScene {
     pub products: Option<[f64; 3]>,
     /// Velocity at the start, in transient runs.
     pub velocity: Option<Velocity>,
+    /// What lies on its surface and gives way where tools press on it: a rigid body has no stiffness of contact of its own.
+    pub coat: Option<Coat>,
+    /// Rigid tools that it may touch, in marches; with `coat`.
+    #[serde(default)]
+    pub tools: Vec<ToolScene>,
+}
+
+/// An elastic coat of a rigid body, of no mass: its stiffness by area is E over its thickness.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Coat {
+    /// Young's modulus E \[F/L²\].
+    pub young: Positive,
+    /// Thickness \[L\]; the surface of the body is its outer face.
+    pub thickness: Positive,
 }
 
 /// Closed surfaces of rigid bodies.

@@ -8,6 +8,7 @@ mod flap_on_sill;
 mod fold_pressed;
 mod hemisphere_on_flat;
 mod incline;
+mod let_go;
 mod pressed_blocks;
 mod pressed_ring;
 mod strip_lifted;
@@ -18,7 +19,7 @@ mod wrapped_strip;
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 14] {
+pub fn all() -> [Case; 15] {
     [
         pressed_ring::case(),
         fold_pressed::case(),
@@ -30,6 +31,7 @@ pub fn all() -> [Case; 14] {
         two_cantilevers::case(),
         capstan::case(),
         incline::case(),
+        let_go::case(),
         touched_modes::case(),
         flap_on_sill::case(),
         pressed_blocks::case(),
