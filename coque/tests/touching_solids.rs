@@ -77,9 +77,9 @@ fn solids_without_a_surface_are_refused() {
     let deep = [("bodies.cube.solid.geometry.block.origin", "[0.31, 0.32, 0.005]")];
     let error = refused(&deep);
     assert!(error.contains("apart") && error.contains("contact[0]"), "{error}");
-    let rough = [("contact", "[{ between = [\"cube\", \"plate\"], friction = 0.3 }]")];
-    let error = refused(&rough);
-    assert!(error.contains("contact[0].friction") && error.contains("`cube` is no shell"), "{error}");
+    let rough = [("contact[0].friction", "0.3")];
+    let error = overridden(BLOCKS, "blocks.toml", &rough).map(drop).unwrap_err().to_string();
+    assert!(error.contains("contact[0].friction") && error.contains("is no shell"), "{error}");
     let resting = THROWN
         .replace("explicit.transient = { duration = 0.03, record_every = 0.0025 }", "static = { levels = 2 }")
         .replace("velocity = { linear = [0.3, 0.1, -2.0] }", "");
