@@ -112,6 +112,9 @@ fn yielding_goes_on_to_the_same_bits() {
         [("geometry.plate.particles", "[11, 3]"), ("analysis.static.levels", "[0.5, 0.8, 1.0, 0.3]")];
     stopped_again_and_again("springback", &text(STRIP), &coarse, 3);
     stopped_again_and_again("struck", &text(STRUCK), &[("analysis.explicit.transient.duration", "0.005")], 4);
+    stopped_again_and_again("plies", &text("strip-fibre-metal.toml"), &[], 3);
+    let levels = [("analysis.static.levels", "[0.00625, 0.0125, 0.025, 0.0375, 0.05]")];
+    stopped_again_and_again("crushed", &text("tube-crushed.toml"), &levels, 3);
 }
 
 #[test]
