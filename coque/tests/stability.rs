@@ -250,3 +250,18 @@ fn the_level_of_a_driven_path_is_a_force_with_its_unit() {
     assert!((4.0 * limit.level / 2222.0 - 1.0).abs() < 5e-3, "a quarter of the panel's limit load");
     assert_eq!(warned(&outcome), [], "what a given displacement holds is stable");
 }
+
+/// Where a plate begins to touch, the path of an elastic tube has a kink, half of which the mean of the tangents on either side leaves unexplained.
+#[test]
+fn a_tool_that_begins_to_touch_is_no_change_of_branch() {
+    let elastic = [
+        ("material", "{ elastic = { young = 200e3, poisson = 0.3, density = 7.8e-9 } }"),
+        ("curve", "[{ name = 'P', of = 'contact-force', on = 'all', direction = [0.0, 0.0, -1.0] }]"),
+        ("output", "{}"),
+        ("analysis.static.levels", "[0.025, 0.25]"),
+    ];
+    let outcome = ran(overridden(&text("tube-crushed.toml"), "tube-crushed.toml", &elastic));
+    assert_eq!(outcome.ended, Ended::Done);
+    assert_eq!(warned(&outcome), []);
+    assert!(outcome.summary.record.critical.is_empty(), "{:?}", outcome.summary.record.critical);
+}
