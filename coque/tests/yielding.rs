@@ -360,3 +360,35 @@ fn a_rolled_strip_thins_by_its_r_value() {
         assert!((found / thinned - 1.0).abs() < 4e-9, "{found} {thinned}");
     }
 }
+
+/// A quarter of the crushed tube is a quarter of its half: the crown on the plane of symmetry of the one, in the middle of the other.
+#[test]
+fn a_quarter_of_the_crushed_tube_is_half_of_its_half() {
+    let levels = [("analysis.static.levels", "[0.00625, 0.0125, 0.01875, 0.025, 0.05, 0.075]")];
+    let quarter = text("tube-crushed.toml");
+    let mut half = quarter.clone();
+    let crown = "on = \"u0\"\ndirection";
+    for (from, to) in [
+        ("[0.0, 90.0]", "[-90.0, 90.0]"),
+        ("[61, 3]", "[121, 3]"),
+        (
+            "on = \"u0\"\nsymmetry = { normal = [1.0, 0.0, 0.0] }",
+            "on = \"u0\"\nsymmetry = { normal = [0.0, 0.0, 1.0] }",
+        ),
+        (crown, "on = \"crown\"\ndirection"),
+        ("factor = 2.0\n", ""),
+    ] {
+        assert_eq!(half.matches(from).count(), 1, "{from}");
+        half = half.replace(from, to);
+    }
+    half += "\n[sets.crown]\nnearest = [0.0, 0.0, 50.0]\n[[supports]]\non = \"crown\"\nheld = { displacement = [[1.0, 0.0, 0.0]] }\n";
+    let run = |scene: &str| common::ran(overridden(scene, "tube-crushed.toml", &levels));
+    let (quarter, half) = (run(&quarter), run(&half));
+    assert!(column(&quarter, "hinges").last().is_some_and(|strain| *strain > 0.02));
+    for (name, factor) in [("P", 1.0), ("crown", 1.0), ("side", 1.0), ("hinges", 1.0), ("dissipated", 2.0)] {
+        for (a, b) in column(&quarter, name).iter().zip(column(&half, name)) {
+            // 3e-14: the same sums in another order.
+            assert!((factor * a - b).abs() <= 1e-11 * b.abs(), "{name}: {a} {b}");
+        }
+    }
+}
