@@ -186,7 +186,7 @@
 //! | laminates: positive definite, rotated plies have a rotated stiffness, no wave faster than the scale | `stiffness_is_positive_definite`, `rotated_plies_have_a_rotated_stiffness`, `no_wave_is_faster_than_the_membrane_scale` |
 //! | sections side by side are those alone, at any height | `sections_side_by_side_are_those_alone` (tests/layered.rs) |
 //! | initial resultants add to those of the section, with their work | `resultants_under_stress_are_the_derivative_of_the_energy` (tests/packs.rs) |
-//! | a history is left alone by evaluations and by a second commit; resultants are the derivative of the work | sph-shell/tests/history.rs |
+//! | a history is left alone by evaluations and by a second commit; resultants are the derivative of the work | sph-shell/tests/in_time/history.rs |
 //! | three steps leave random points on the yield surface, of von Mises and of Hill | `three_steps_reach_the_yield_surface` (tests/plastic/points.rs), `three_steps_reach_the_surface_of_sheets` (sheets.rs) |
 //! | a history taken up goes on to the same bits | `a_history_taken_up_goes_on_to_the_same_bits` (tests/plastic/paths.rs) |
 //! | packs, plain loops and the widest registers give the same bits | `registers_change_no_bit` (tests/plastic/points.rs) |

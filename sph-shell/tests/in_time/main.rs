@@ -1,0 +1,15 @@
+//! Shells in time: marches and their balances, the strong form, memory.
+
+#![allow(clippy::unwrap_used)] // a test may stop where it stands
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bounds;
+mod energy;
+mod history;
+mod march;
+mod strong_form;
+mod strong_form_difference;
+mod turned;
+mod wetted;
