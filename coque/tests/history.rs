@@ -26,7 +26,7 @@ impl Memory for Halved {
         1
     }
 
-    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) -> Resultants {
+    fn history_from(&self, strains: &Strains, _: f64, committed: &[Pack], trial: &mut [Pack]) -> Resultants {
         trial[0] = share(strains, committed) * -2.0 + Pack::splat(2.0);
         self.resultants_from(strains, committed)
     }

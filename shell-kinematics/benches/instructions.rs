@@ -83,8 +83,9 @@ impl Sweep for Points<'_> {
             let found = if let Some(elastic) = self.elastic {
                 elastic.resultants_of(&strains)
             } else if self.writes {
-                self.section
-                    .commit_in(&strains, committed, |i, number| self.trial[i] = Pack::new(number.pack()))
+                self.section.commit_in(&strains, f64::INFINITY, committed, |i, number| {
+                    self.trial[i] = Pack::new(number.pack())
+                })
             } else {
                 self.section.resultants_in(&strains, committed)
             };

@@ -40,10 +40,15 @@ impl HistoryPack {
         }
     }
 
-    /// Commits what strains make of the history; strains of the last commit leave every bit as it is.
+    /// Commits what strains make of the history at rest; strains of the last commit leave every bit as it is.
     pub fn commit(&mut self, strains: &Strains) {
+        self.commit_in(strains, f64::INFINITY);
+    }
+
+    /// The same in a step that takes a time \[T\].
+    pub fn commit_in(&mut self, strains: &Strains, duration: f64) {
         let Some(Commit { section, committed, trial }) = self.begin_commit(strains) else { return };
-        let met = section.memory().map(|memory| memory.history_from(strains, committed, trial));
+        let met = section.memory().map(|memory| memory.history_from(strains, duration, committed, trial));
         self.end_commit(strains, &met.unwrap_or_default());
     }
 

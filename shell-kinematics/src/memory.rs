@@ -21,8 +21,15 @@ pub trait Memory {
 
     /// What strains make of a committed history, and the resultants that they meet once it is committed.
     ///
-    /// Of strains for which it was committed already, the same history but for rounding.
-    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) -> Resultants;
+    /// Of strains for which it was committed already, the same history but for rounding, unless what flows has an overstress that time takes away. `duration` is the
+    /// time that the step takes \[T\], infinite at rest: what depends on rates is then as if all went slowly.
+    fn history_from(
+        &self,
+        strains: &Strains,
+        duration: f64,
+        committed: &[Pack],
+        trial: &mut [Pack],
+    ) -> Resultants;
 
     /// Resultants from strains; they must be the derivative of [`Memory::energy_from`] at a fixed committed history.
     fn resultants_from(&self, strains: &Strains, committed: &[Pack]) -> Resultants;

@@ -148,14 +148,20 @@ impl Memory for MixedSection {
         self.members.last().map_or(0, |last| last.numbers.end)
     }
 
-    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) -> Resultants {
+    fn history_from(
+        &self,
+        strains: &Strains,
+        duration: f64,
+        committed: &[Pack],
+        trial: &mut [Pack],
+    ) -> Resultants {
         let raised = self.raised(strains);
         let mut out = Resultants::default();
         for Member { section, lanes, numbers } in &self.members {
             let found = match section.memory() {
                 Some(memory) => {
                     let own = &mut trial[numbers.clone()];
-                    let found = memory.history_from(&raised, &committed[numbers.clone()], own);
+                    let found = memory.history_from(&raised, duration, &committed[numbers.clone()], own);
                     // Points of other sections have no history in this one.
                     own.iter_mut().for_each(|number| *number = chosen(Pack::ZERO, *number, lanes));
                     found

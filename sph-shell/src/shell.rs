@@ -199,14 +199,19 @@ impl Shell {
     }
 
     /// Commits what the present strains make of the history of sections with memory, and the anchors of the forces of tools last evaluated: of
-    /// an accepted state, whose history is to last. Without memory and friction nothing is done; marches and [`crate::StaticShell`] commit by themselves.
+    /// an accepted state at rest, whose history is to last. Without memory and friction nothing is done; marches and [`crate::StaticShell`] commit by themselves.
     pub fn commit(&mut self) {
+        self.commit_in(f64::INFINITY);
+    }
+
+    /// The same in a step that takes a time \[T\].
+    pub(crate) fn commit_in(&mut self, duration: f64) {
         let Self { points, material, motion, loading, evaluation, .. } = self;
         if let Some(own) = &mut loading.own_contact {
             own.moved();
             own.commit();
         }
-        points.commit(material.strain, &motion.state, evaluation.threads);
+        points.commit(material.strain, &motion.state, duration, evaluation.threads);
         loading.tools.commit();
     }
 

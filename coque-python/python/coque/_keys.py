@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     Couple = TypedDict("Couple", {"axis": "Axis", "moment": float})
     Coupling = TypedDict("Coupling", {"impedance": NotRequired[bool], "order": NotRequired["CouplingOrder"]})
     CouplingOrder: TypeAlias = Union[Literal['structure-first'], Literal['fluid-first']]
+    CowperSymonds = TypedDict("CowperSymonds", {"exponent": float, "reference": float})
     Crack = TypedDict("Crack", {"corners": NotRequired[Sequence[Sequence[float]]], "from": NotRequired[Sequence[float]], "to": NotRequired[Sequence[float]]})
     Cuboid = TypedDict("Cuboid", {"max": Sequence[float], "min": Sequence[float]})
     CutOut_1 = TypedDict("CutOut_1", {"ball": "Ball"})
@@ -120,6 +121,7 @@ if TYPE_CHECKING:
     Imperfection = TypedDict("Imperfection", {"amplitude": float, "half_waves": NotRequired[Sequence[int]], "mode": NotRequired[int]})
     Influence: TypeAlias = Union[Literal['constant'], Literal['inverse'], Literal['linear']]
     InitialStress = TypedDict("InitialStress", {"axis": NotRequired[Sequence[float]], "bending": NotRequired[Sequence[float]], "membrane": NotRequired[Sequence[float]], "on": str})
+    JohnsonCook = TypedDict("JohnsonCook", {"factor": float, "reference": float})
     Layer = TypedDict("Layer", {"depth": float, "face": str})
     Layered = TypedDict("Layered", {"axis": Sequence[float], "plies": Sequence["Ply"]})
     Length: TypeAlias = Union[Literal['m'], Literal['cm'], Literal['mm'], Literal['in'], Literal['ft'], Literal['-']]
@@ -158,7 +160,7 @@ if TYPE_CHECKING:
     PerAxis: TypeAlias = Union[float, Sequence[float]]
     Placed = TypedDict("Placed", {"origin": NotRequired[Sequence[float]], "u": Sequence[float], "v": Sequence[float]})
     Plane: TypeAlias = Union[Literal['stress'], Literal['strain']]
-    Plastic = TypedDict("Plastic", {"anisotropy": NotRequired["Anisotropy"], "density": float, "hardening": "Hardening", "kinematic": NotRequired[float], "poisson": float, "young": float})
+    Plastic = TypedDict("Plastic", {"anisotropy": NotRequired["Anisotropy"], "density": float, "hardening": "Hardening", "kinematic": NotRequired[float], "poisson": float, "rate": NotRequired["Rate"], "young": float})
     Plate = TypedDict("Plate", {"disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[float]], "lengths": Sequence[float], "particles": NotRequired[Sequence[int]], "scattered": NotRequired["Scattered"]})
     Plot = TypedDict("Plot", {"x": str, "y": str})
     Ply = TypedDict("Ply", {"angle": float, "material": NotRequired["Material"], "slices": NotRequired[int], "thickness": float})
@@ -168,6 +170,9 @@ if TYPE_CHECKING:
     Pressure = TypedDict("Pressure", {"follower": NotRequired[bool], "value": NotRequired[float], "values": NotRequired[str]})
     Probe = TypedDict("Probe", {"about": NotRequired[Sequence[float]], "at": NotRequired[Sequence[float]], "direction": NotRequired[Sequence[float]], "face": NotRequired["ShellFace"], "factor": NotRequired[float], "name": str, "of": "Measured", "on": str, "take": NotRequired["Take"], "through": NotRequired["Through"], "unit": NotRequired[str]})
     QuasiStatic = TypedDict("QuasiStatic", {"accuracy": NotRequired[float], "damping": NotRequired["Damping"], "hold": NotRequired[float], "levels": "Levels", "period": NotRequired[float], "ramp": NotRequired[float], "stability": NotRequired[bool], "tolerance": NotRequired[float]})
+    Rate_1 = TypedDict("Rate_1", {"cowper-symonds": "CowperSymonds"})
+    Rate_2 = TypedDict("Rate_2", {"johnson-cook": "JohnsonCook"})
+    Rate: TypeAlias = Union["Rate_1", "Rate_2"]
     Reach: TypeAlias = Union[Literal['cell'], float]
     Region = TypedDict("Region", {"box": NotRequired["Box3"], "layer": NotRequired["Layer"], "nearest": NotRequired[Sequence[float]], "of": NotRequired[str], "plane": NotRequired["OnPlane"]})
     Relaxation = TypedDict("Relaxation", {"damping": NotRequired["RelaxationDamping"], "force": NotRequired[float], "iterations": NotRequired[int], "levels": "Levels", "tolerance": NotRequired[float]})

@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 42] = [
+const SCENES: [(&str, Replaced); 43] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -60,6 +60,7 @@ const SCENES: [(&str, Replaced); 42] = [
     ("tube-inflating.toml", &[("analysis.static.levels", "4")]),
     ("tube-crushed.toml", &CRUSHED),
     ("../coque/tests/yielding/struck.toml", &[("analysis.explicit.transient.duration", "0.002")]),
+    ("../coque/tests/yielding/struck.toml", &RATED),
     ("../coque/tests/yielding/struck-in-parts.toml", &[("analysis.explicit.transient.duration", "0.002")]),
     ("../coque/tests/metamorphic/difference.toml", &[]),
     ("../coque/tests/metamorphic/bent.toml", &[]),
@@ -89,6 +90,12 @@ const APART: [(&str, &str); 1] = [(
     "[{ name = \"flat\", plane = { point = [0.0, 0.0, 0.5001], normal = [0.0, 0.0, -1.0] }, moved = [0.0, 0.0, -0.001] }]",
 )];
 
+/// Thrown so fast that it bears more than when it flows slowly.
+const RATED: [(&str, &str); 2] = [
+    ("analysis.explicit.transient.duration", "0.002"),
+    ("material.plastic.rate", "{ cowper-symonds = { reference = 1000.0, exponent = 4.0 } }"),
+];
+
 /// Well into its yield.
 const YIELDING: [(&str, &str); 2] =
     [("geometry.sphere.particles", "[9, 9]"), ("analysis.static.levels", "[0.1, 0.2, 0.3, 0.4]")];
@@ -105,9 +112,9 @@ const ROOF: [(&str, &str); 2] = [
     ("analysis", "{ static = { levels = [0.4, 0.7, 0.9, 1.0, 1.1] } }"),
 ];
 
-/// No level is cut into steps, whose number would hang on rounding, where it flows.
 /// Beyond first yield, by levels that Newton's method cuts alike however the tube lies.
 const CRUSHED: [(&str, &str); 1] = [("analysis.static.levels", "[0.00625, 0.0125, 0.01875, 0.025, 0.03125]")];
+/// No level is cut into steps, whose number would hang on rounding, where it flows.
 const SPRINGBACK: [(&str, &str); 1] = [(
     "analysis.static.levels",
     "[0.15, 0.3, 0.45, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.875, 0.9, 0.925, 0.95, 0.96, 0.97, 0.98, 0.99, 1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.0]",

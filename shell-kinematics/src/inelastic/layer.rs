@@ -2,13 +2,13 @@
 
 use super::functions::three;
 use super::modes::Modes;
-use super::return_map::PointLaw;
+use super::return_map::{Pace, PointLaw};
 use super::slices::Slice;
 use super::thickness::Lever;
 use crate::pack::Number;
 use crate::strains::Strains;
 
-/// Numbers of a history that each slice has: three plastic strains in the coordinates of [`super::modes`], then α.
+/// Numbers of a history that each slice has: three plastic strains in the coordinates of [`super::modes`], then α; where rates count the overstress behind them.
 pub(super) const OF_SLICE: usize = 4;
 
 /// One ply with its points.
@@ -20,6 +20,8 @@ pub(super) struct Layer {
     pub slices: Vec<Slice>,
     /// The place of its first number in a history, if it has any.
     pub first: usize,
+    /// How many numbers a slice has there.
+    pub of_slice: usize,
     /// `∂ ln λ₃/∂x` and `∂ ln λ₃/∂e_p` of the ply alone.
     pub thinning: [[f64; 3]; 2],
 }
@@ -49,12 +51,18 @@ impl Layer {
 
     /// How many numbers of a history it has.
     pub fn numbers(&self) -> usize {
-        if self.law.is_some() { OF_SLICE * self.slices.len() } else { 0 }
+        if self.law.is_some() { self.of_slice * self.slices.len() } else { 0 }
+    }
+
+    /// The pace of what is asked outside a commit, from the numbers of a point.
+    #[inline(always)]
+    pub fn pace<P>(&self, read: impl Fn(usize) -> P, place: usize) -> Pace<P> {
+        if self.of_slice == OF_SLICE { Pace::Slow } else { Pace::Held(read(place + OF_SLICE)) }
     }
 
     /// Its points, each with the place of its numbers in a history, if it yields.
     #[inline(always)]
     pub fn points(&self) -> impl Iterator<Item = (&Slice, usize)> {
-        self.slices.iter().enumerate().map(|(i, slice)| (slice, self.first + OF_SLICE * i))
+        self.slices.iter().enumerate().map(|(i, slice)| (slice, self.first + self.of_slice * i))
     }
 }

@@ -2,8 +2,9 @@
 
 use super::hardening::{Hardening, not_negative};
 use super::hill::RValues;
-use super::layer::Layer;
+use super::layer::{Layer, OF_SLICE};
 use super::modes::Modes;
+use super::rate::Rate;
 use super::return_map::PointLaw;
 use super::slices::slices;
 use crate::layered_section::{Orthotropic, Ply};
@@ -18,13 +19,14 @@ pub struct Plastic {
     elastic: Isotropic,
     hardening: Hardening,
     kinematic: f64,
+    rate: Option<Rate>,
     modes: Modes,
 }
 
 impl Plastic {
     /// Von Mises' criterion with isotropic hardening alone.
     pub fn new(elastic: Isotropic, hardening: Hardening) -> Self {
-        Self { elastic, hardening, kinematic: 0.0, modes: Modes::von_mises(&elastic) }
+        Self { elastic, hardening, kinematic: 0.0, rate: None, modes: Modes::von_mises(&elastic) }
     }
 
     /// What it is as long as nothing flows.
@@ -38,6 +40,11 @@ impl Plastic {
     /// [`MaterialError::Constant`] unless H_k is zero or positive, and finite.
     pub fn kinematic(self, modulus: f64) -> Result<Self, MaterialError> {
         Ok(Self { kinematic: not_negative("the modulus of kinematic hardening", modulus)?, ..self })
+    }
+
+    /// The same with a yield stress that grows with the rate of plastic strain, in steps that take time.
+    pub fn rated(self, rate: Rate) -> Self {
+        Self { rate: Some(rate), ..self }
     }
 
     /// The same with Hill's criterion in place of von Mises', in the axes of its ply.
@@ -84,7 +91,8 @@ impl PlasticPly {
     /// # Errors
     /// [`MaterialError::Constant`] for fewer than 2 slices of a material that yields.
     pub(super) fn layer(&self, middle: f64, first: usize) -> Result<Layer, MaterialError> {
-        let of = |law, modes: Modes, count: usize, thinning| Layer {
+        let of = |law: Option<PointLaw>, modes: Modes, count: usize, thinning| Layer {
+            of_slice: OF_SLICE + usize::from(law.as_ref().is_some_and(PointLaw::is_rated)),
             law,
             modes,
             first,
@@ -92,13 +100,13 @@ impl PlasticPly {
             thinning,
         };
         Ok(match &self.material {
-            PlyMaterial::Plastic(Plastic { elastic, hardening, kinematic, modes }, count) => {
+            PlyMaterial::Plastic(Plastic { elastic, hardening, kinematic, rate, modes }, count) => {
                 if *count < 2 {
                     let (what, value) = ("the number of slices of a ply", *count as f64);
                     return Err(MaterialError::Constant { what, value, bound: "at least 2" });
                 }
                 let modes = modes.turned(self.angle);
-                let law = PointLaw::new(&modes, hardening.clone(), *kinematic);
+                let law = PointLaw::new(&modes, hardening.clone(), *kinematic, *rate);
                 of(Some(law), modes, *count, thinning(elastic, &modes))
             }
             PlyMaterial::Elastic(elastic) => {

@@ -17,14 +17,21 @@
 //! The first of them starts at γ = 0, three more follow, always: no lane takes a branch. Stresses are then off the yield stress by 2e-13 of it at most, over
 //! strains of one at once, for curves of steel and aluminium; one that saturates within a strain of .001 is off by 9e-8 there, by 5e-13 over strains of .001.
 //! \[simo1998\], §3.4, has the step and its tangent.
+//!
+//! Where the yield stress grows with the rate ([`super::rate`]) a step of the duration Δt solves the same equation with `Y = (1 + s) K(α + Δα)`, `Δα = Δt ε̇(s)` and
+//! `γ = Δα/r²Y`, the unknown s: `r Y/f − 1` is convex in it. From the lesser of two bounds, the s of a step without flow, f(0)/rK − 1, and that of the flow which the step
+//! would have without overstress, Newton's steps fall to the root. Outside a commit no time passes, and s stays what the last one found.
 
 use super::functions::{above_zero, three};
 use super::hardening::{Hardening, Yield};
 use super::modes::Modes;
+use super::rate::Rate;
 use crate::pack::{Number, Pack};
 
 /// Newton's steps behind the first.
 const STEPS: usize = 3;
+/// Newton's steps for the overstress.
+const RATED_STEPS: usize = 6;
 /// Points within this share of the yield stress below the surface stand on it, with the tangent of flow.
 const ON_THE_SURFACE: f64 = 1e-9;
 
@@ -43,8 +50,20 @@ pub(super) struct PointLaw {
     yielding: [f64; 3],
     /// Whether the second and the third p are the same, so that their terms are one.
     pair: bool,
+    rate: Option<Rate>,
     /// r.
     root: f64,
+}
+
+/// How fast a step goes.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Pace<P> {
+    /// So slowly that rates do nothing.
+    Slow,
+    /// Outside of time, with an overstress that stays what it is \[–\].
+    Held(P),
+    /// In so much time \[T\].
+    Lasting(f64),
 }
 
 /// What a step makes of a point.
@@ -62,13 +81,32 @@ pub(super) struct Point<P> {
     pub over: [P; 3],
     /// One where the tangent is that of flow: on the surface at least.
     pub on_surface: P,
+    /// s, by which the yield stress exceeds that of slow flow \[–\].
+    pub overstress: P,
 }
 
-/// γ and f(γ) of one equation.
+/// γ and f(γ) of one equation, and its s.
 struct Root<P> {
     gamma: P,
     size: P,
     on_surface: P,
+    overstress: P,
+}
+
+/// Terms A_i of a trial stress and rates a_i, at a committed α.
+struct Trial<'a, P, const N: usize> {
+    terms: &'a [P; N],
+    rates: &'a [f64; N],
+    alpha: P,
+    /// Keeps a point without stress from dividing zero by zero; of the size of rounding squared.
+    tiny: P,
+}
+
+impl<P: Number, const N: usize> Trial<'_, P, N> {
+    #[inline(always)]
+    fn sums(&self, gamma: P) -> Sums<P> {
+        Sums::at(self.terms, self.rates, gamma, self.tiny)
+    }
 }
 
 /// f², G and F.
@@ -102,10 +140,11 @@ fn newton<P: Number>(sums: &Sums<P>, size: P, now: &Yield<P>, r: f64) -> P {
 }
 
 impl PointLaw {
-    /// Hardening of both kinds, H_k the modulus of the kinematic one \[F/L²\].
-    pub fn new(modes: &Modes, hardening: Hardening, kinematic: f64) -> Self {
+    /// Hardening of both kinds, H_k the modulus of the kinematic one \[F/L²\], and what rates do.
+    pub fn new(modes: &Modes, hardening: Hardening, kinematic: f64, rate: Option<Rate>) -> Self {
         Self {
             hardening,
+            rate,
             kinematic: kinematic * 2.0 / 3.0,
             yielding: modes.yielding,
             pair: modes.yielding[1] == modes.yielding[2],
@@ -123,6 +162,21 @@ impl PointLaw {
         &self.hardening
     }
 
+    /// Whether its yield stress grows with the rate.
+    pub fn is_rated(&self) -> bool {
+        self.rate.is_some()
+    }
+
+    /// Yield stress and slope of slow flow, or with an overstress.
+    #[inline(always)]
+    fn yields<P: Number>(&self, alpha: P, overstress: Option<P>) -> Yield<P> {
+        let slow = self.hardening.at(alpha);
+        match overstress {
+            None => slow,
+            Some(s) => Yield { stress: slow.stress + slow.stress * s, slope: slow.slope + slow.slope * s },
+        }
+    }
+
     /// ξ of a point that stays as it is.
     #[inline(always)]
     fn over<P: Number>(&self, stress: &[P; 3], plastic: &[P; 3]) -> [P; 3] {
@@ -134,7 +188,7 @@ impl PointLaw {
 
     /// The step to a strain e from a committed point: e_p and α.
     #[inline(always)]
-    pub fn step<P: Number>(&self, strain: &[P; 3], committed: &[P; 4]) -> Point<P> {
+    pub fn step<P: Number>(&self, strain: &[P; 3], committed: &[P; 4], pace: Pace<P>) -> Point<P> {
         let [p0, p1, p2, alpha] = *committed;
         let plastic = [p0, p1, p2];
         let stress = three(|i| strain[i] - plastic[i]);
@@ -143,13 +197,14 @@ impl PointLaw {
         let [p, q, s] = self.yielding;
         let [a, b, c] = [p + self.kinematic, q + self.kinematic, s + self.kinematic];
         let root = if self.pair {
-            self.solve(&[square(0), square(1) + square(2)], &[a, b], alpha)
+            self.solve(&[square(0), square(1) + square(2)], &[a, b], alpha, pace)
         } else {
-            self.solve(&[square(0), square(1), square(2)], &[a, b, c], alpha)
+            self.solve(&[square(0), square(1), square(2)], &[a, b, c], alpha, pace)
         };
-        let Some(Root { gamma, size, on_surface }) = root else {
+        let Some(Root { gamma, size, on_surface, overstress }) = root else {
             let zero = alpha.all(0.0);
-            return Point { stress, plastic, alpha, gamma: zero, over, on_surface: zero };
+            let overstress = if let Pace::Held(s) = pace { s } else { zero };
+            return Point { stress, plastic, alpha, gamma: zero, over, on_surface: zero, overstress };
         };
         let one = alpha.all(1.0);
         let over = three(|i| over[i] / (one + gamma * [a, b, c][i]));
@@ -161,6 +216,7 @@ impl PointLaw {
             gamma,
             over,
             on_surface,
+            overstress,
         }
     }
 
@@ -171,12 +227,13 @@ impl PointLaw {
         terms: &[P; N],
         rates: &[f64; N],
         alpha: P,
+        pace: Pace<P>,
     ) -> Option<Root<P>> {
         let zero = alpha.all(0.0);
         let r = self.root;
-        let start = self.hardening.at(alpha);
+        let held = if let Pace::Held(s) = pace { Some(s) } else { None };
+        let start = self.yields(alpha, held);
         let limit = start.stress * r;
-        // Keeps a point without stress from dividing zero by zero; of the size of rounding squared.
         let tiny = limit * limit * 1e-32;
         let [mut square, mut weighted] = [tiny, tiny * rates[0]];
         for i in 0..N {
@@ -188,18 +245,64 @@ impl PointLaw {
         if beyond.below(0.0) {
             return None;
         }
+        let trial = Trial { terms, rates, alpha, tiny };
         let mut gamma = newton(&Sums { square, own: square, weighted }, size, &start, r).max(zero);
         for _ in 0..STEPS {
-            let sums = Sums::at(terms, rates, gamma, tiny);
+            let sums = trial.sums(gamma);
             let size = sums.square.sqrt();
-            let now = self.hardening.at(alpha + gamma * size * r);
+            let now = self.yields(alpha + gamma * size * r, held);
             gamma = (gamma + newton(&sums, size, &now, r)).max(zero);
         }
-        Some(Root {
+        let slow = Root {
             gamma,
-            size: Sums::at(terms, rates, gamma, tiny).square.sqrt(),
+            size: trial.sums(gamma).square.sqrt(),
             on_surface: above_zero(beyond),
+            overstress: held.unwrap_or(zero),
+        };
+        Some(match (pace, &self.rate) {
+            (Pace::Lasting(duration), Some(rate)) => self.rated(rate, duration, &trial, size, slow),
+            _ => slow,
         })
+    }
+
+    /// The root of a step that takes a time \[T\], from that of a slow one and f(0).
+    #[inline(always)]
+    fn rated<P: Number, const N: usize>(
+        &self,
+        rate: &Rate,
+        duration: f64,
+        trial: &Trial<'_, P, N>,
+        size: P,
+        slow: Root<P>,
+    ) -> Root<P> {
+        let (r, alpha, one) = (self.root, trial.alpha, trial.alpha.all(1.0));
+        let zero = alpha.all(0.0);
+        let without_flow = (size / (self.hardening.at(alpha).stress * r) - one).max(zero);
+        let of_slow = rate.overstress(slow.gamma * slow.size * (r / duration)).max(zero);
+        let mut s = of_slow.min(without_flow);
+        let gamma_at = |s: P| {
+            let [flow, growth] = rate.flow(s, duration);
+            let now = self.yields(alpha + flow, Some(s));
+            let slope = now.stress / (one + s) + now.slope * growth;
+            let part = flow / now.stress;
+            (
+                part * (1.0 / (r * r)),
+                (growth - part * slope) / now.stress * (1.0 / (r * r)),
+                now.stress,
+                slope,
+            )
+        };
+        for _ in 0..RATED_STEPS {
+            let (gamma, turn, stress, slope) = gamma_at(s);
+            let sums = trial.sums(gamma);
+            let short = sums.square.sqrt() - stress * r;
+            let per = (slope * sums.square + stress * sums.weighted * turn) * r;
+            s = (s + short * sums.square / per).max(zero);
+        }
+        // Where the slow step is slow enough it is the answer.
+        let fast = above_zero(of_slow);
+        let gamma = slow.gamma + (gamma_at(s).0 - slow.gamma) * fast;
+        Root { gamma, size: trial.sums(gamma).square.sqrt(), overstress: s * fast, ..slow }
     }
 
     /// Work per volume \[F/L²\]: stored elastically, stored by hardening, dissipated.
@@ -215,13 +318,20 @@ impl PointLaw {
         [elastic, hardened, alpha * self.hardening.initial()]
     }
 
+    /// Work per volume against an overstress that α grows against, `s ∫K dα` from a committed α \[F/L²\].
+    #[inline(always)]
+    pub fn overwork<P: Number>(&self, point: &Point<P>, committed: P) -> P {
+        let all = |alpha: P| self.hardening.stored(alpha) + alpha * self.hardening.initial();
+        (all(point.alpha) - all(committed)) * point.overstress
+    }
+
     /// `∂x/∂e` of the step, symmetric: 11, 22, 33, 12, 13, 23 of its three coordinates.
     ///
     /// With `θ1 = 1 + ⅔H_kγ`, `θ2 = 1 − ⅔K'γ`, `m_i = 1/(1 + p_iγ/θ1)` and `n_i = m_i p_i ξ_i` it is
     /// `diag m − θ2 n nᵀ/(θ2 Σ n_i p_i ξ_i + ⅔θ1(K'θ1 + H_kθ2) f²)`.
     pub fn tangent(&self, point: &Point<Pack>) -> [Pack; 6] {
         let [zero, one] = [Pack::ZERO, Pack::splat(1.0)];
-        let slope = self.hardening.at(point.alpha).slope;
+        let slope = self.yields(point.alpha, self.rate.map(|_| point.overstress)).slope;
         let theta1 = one + point.gamma * self.kinematic;
         let theta2 = one - slope * point.gamma * (2.0 / 3.0);
         let m = self.yielding.map(|p| theta1 / (theta1 + point.gamma * p));

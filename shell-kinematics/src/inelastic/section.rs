@@ -3,7 +3,7 @@
 use super::functions::three;
 use super::layer::{Layer, OF_SLICE};
 use super::ply::{Plastic, PlasticPly, PlyMaterial};
-use super::return_map::PointLaw;
+use super::return_map::{Pace, PointLaw};
 use super::slices::Slice;
 use super::thickness::{self, Lever};
 use crate::layered_section::{LayeredSection, Ply};
@@ -22,13 +22,15 @@ const LEAST_KEPT: f64 = 0.02;
 /// strain h of its mid-surface, its curvature the change K of curvature freed of stretch.
 ///
 /// Transverse shear is elastic, that of a [`LayeredSection`], and no part of the yield criterion. The history has, a slice of what yields, three plastic strains and α,
-/// then λ₃ − 1, U⁻¹ − 1, g and 1 − χ ([`PlasticSection::tallies`] reads it); the strain at a height is h + z (F K + g). λ₃ and U⁻¹ are those of the last
+/// then λ₃ − 1, U⁻¹ − 1, g and 1 − χ ([`PlasticSection::tallies`] reads it), and where rates count an overstress a slice and the work against it; the strain at a height is h + z (F K + g). λ₃ and U⁻¹ are those of the last
 /// commit, which makes a step's resultants the derivative of its work; a commit moves them, and leaves the strain of each point what it is.
 #[derive(Clone, Debug)]
 pub struct PlasticSection {
     pub(super) layers: Vec<Layer>,
     /// The place of λ₃ − 1 in a history.
     pub(super) of_section: usize,
+    /// Whether the yield stress of a ply grows with the rate.
+    pub(super) rated: bool,
     /// Transverse shear stiffness \[F/L\].
     pub(super) shear: [[f64; 2]; 2],
     pub(super) scales: SectionScales,
@@ -60,7 +62,13 @@ impl PlasticSection {
             first += layer.numbers();
             layers.push(layer);
         }
-        Ok(Self { layers, of_section: first, shear: *elastic.transverse_shear(), scales })
+        let rated = layers.iter().any(|layer| layer.law.as_ref().is_some_and(PointLaw::is_rated));
+        Ok(Self { layers, of_section: first, rated, shear: *elastic.transverse_shear(), scales })
+    }
+
+    /// Whether the yield stress of a ply grows with the rate of plastic strain.
+    pub fn is_rated(&self) -> bool {
+        self.rated
     }
 
     /// The laws of the plies that yield.
@@ -152,16 +160,22 @@ impl PlasticSection {
         let lever = self.lever(&read);
         let ([g1, g2], [q1, q2]) = (strains.shear, self.sheared(&strains.shear));
         let mut work = (g1 * q1 + g2 * q2) * 0.5;
+        if self.rated {
+            work += read(self.of_section + OF_SECTION);
+        }
         for layer in &self.layers {
             let across = layer.across(strains, &lever);
             for (slice, place) in layer.points() {
                 let strain = across.at(slice);
                 work += match &layer.law {
                     Some(law) => {
-                        let point = law.step(&strain, &committed(&read, place));
+                        let numbers = committed(&read, place);
+                        let point = law.step(&strain, &numbers, layer.pace(&read, place));
                         let [stored, hardened, dissipated] =
                             law.work(&point.stress, &point.plastic, point.alpha);
-                        (stored + hardened + dissipated) * slice.weight
+                        let slow = stored + hardened + dissipated;
+                        let all = if law.is_rated() { slow + law.overwork(&point, numbers[3]) } else { slow };
+                        all * slice.weight
                     }
                     None => {
                         let [a, b, c] = strain;
@@ -182,14 +196,23 @@ impl PlasticSection {
     pub fn commit_in<P: Number>(
         &self,
         strains: &Strains<P>,
+        duration: f64,
         read: impl Fn(usize) -> P,
         mut write: impl FnMut(usize, P),
     ) -> Resultants<P> {
         let zero = strains.shear[0].all(0.0);
         let lever = self.lever(&read);
-        let mut sums = Committing { read, write: &mut write, log_thickness: zero, eased: zero, whole: 0.0 };
+        let mut sums = Committing {
+            duration,
+            read,
+            write: &mut write,
+            log_thickness: zero,
+            eased: zero,
+            whole: 0.0,
+            overwork: zero,
+        };
         let resultants = self.summed(strains, &lever, &mut sums);
-        let Committing { log_thickness, eased, whole, .. } = sums;
+        let Committing { log_thickness, eased, whole, overwork, read, .. } = sums;
         let log_thickness = log_thickness * (1.0 / self.scales.thickness);
         let first = self.of_section;
         let numbers = lever.next(log_thickness, &strains.membrane, &strains.curvature);
@@ -197,6 +220,9 @@ impl PlasticSection {
             write(first + i, numbers[i]);
         }
         write(first + thickness::NUMBERS, (eased * (1.0 / whole)).min(zero.all(1.0 - LEAST_KEPT)));
+        if self.rated {
+            write(first + OF_SECTION, read(first + OF_SECTION) + overwork);
+        }
         brought(resultants, &Lever::read(numbers))
     }
 }
@@ -222,7 +248,9 @@ impl<P: Number, R: Fn(usize) -> P> Met<P> for Flowing<R> {
     #[inline(always)]
     fn stress(&mut self, layer: &Layer, _: &Slice, place: usize, strain: &[P; 3]) -> [P; 3] {
         match &layer.law {
-            Some(law) => law.step(strain, &committed(&self.read, place)).stress,
+            Some(law) => {
+                law.step(strain, &committed(&self.read, place), layer.pace(&self.read, place)).stress
+            }
             None => *strain,
         }
     }
@@ -242,6 +270,8 @@ impl Met<Pack> for Held<'_> {
 
 /// The law, whose new numbers are written.
 struct Committing<'a, P, R, W> {
+    /// Time of the step \[T\]; infinite at rest.
+    duration: f64,
     read: R,
     write: &'a mut W,
     /// `Σ w ln λ₃`.
@@ -249,6 +279,8 @@ struct Committing<'a, P, R, W> {
     /// `Σ w z² pγ/(1 + pγ)`, and `Σ w z²`.
     eased: P,
     whole: f64,
+    /// What α grew against overstresses, `Σ w s ∫K dα`.
+    overwork: P,
 }
 
 impl<P: Number, R: Fn(usize) -> P, W: FnMut(usize, P)> Met<P> for Committing<'_, P, R, W> {
@@ -262,7 +294,14 @@ impl<P: Number, R: Fn(usize) -> P, W: FnMut(usize, P)> Met<P> for Committing<'_,
             }
             return *strain;
         };
-        let point = law.step(strain, &committed(&self.read, place));
+        let numbers = committed(&self.read, place);
+        let in_time = law.is_rated() && self.duration < f64::INFINITY;
+        let pace = if in_time { Pace::Lasting(self.duration) } else { Pace::Slow };
+        let point = law.step(strain, &numbers, pace);
+        if law.is_rated() {
+            (self.write)(place + OF_SLICE, point.overstress);
+            self.overwork += law.overwork(&point, numbers[3]) * slice.weight;
+        }
         for i in 0..3 {
             (self.write)(place + i, point.plastic[i]);
             let thinner = point.stress[i] * layer.thinning[0][i] + point.plastic[i] * layer.thinning[1][i];
@@ -283,11 +322,17 @@ fn committed<P>(read: impl Fn(usize) -> P, place: usize) -> [P; OF_SLICE] {
 
 impl Memory for PlasticSection {
     fn history_len(&self) -> usize {
-        self.of_section + OF_SECTION
+        self.of_section + OF_SECTION + usize::from(self.rated)
     }
 
-    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) -> Resultants {
-        self.commit_in(strains, |i| committed[i], |i, number| trial[i] = number)
+    fn history_from(
+        &self,
+        strains: &Strains,
+        duration: f64,
+        committed: &[Pack],
+        trial: &mut [Pack],
+    ) -> Resultants {
+        self.commit_in(strains, duration, |i| committed[i], |i, number| trial[i] = number)
     }
 
     fn resultants_from(&self, strains: &Strains, committed: &[Pack]) -> Resultants {

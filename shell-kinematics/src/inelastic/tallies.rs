@@ -1,6 +1,6 @@
 //! What a history says about a point that yielded: thickness, plastic strain, what its flow leaves, and the work that it holds.
 
-use super::section::PlasticSection;
+use super::section::{OF_SECTION, PlasticSection};
 use super::thickness;
 use crate::pack::{Number, Pack};
 
@@ -40,9 +40,10 @@ impl Tallies<'_> {
         self.folded(|sum, weight, alpha| sum + flowed(alpha) * (weight / self.section.scales.thickness))
     }
 
-    /// Work per reference area that was dissipated, `Σ w K(0) α` \[F/L\].
+    /// Work per reference area that was dissipated, `Σ w K(0) α` and what went against overstresses \[F/L\].
     pub fn dissipated(&self) -> Pack {
-        self.worked()[1]
+        let slow = self.worked()[1];
+        if self.section.rated { slow + self.history[self.section.of_section + OF_SECTION] } else { slow }
     }
 
     /// Work per reference area that hardening stores by convention, `Σ w (½β:εp + ∫(K − K(0)) dα)` \[F/L\].

@@ -32,7 +32,7 @@ impl PlasticSection {
                 let tangent = match &layer.law {
                     Some(law) => {
                         let committed: [Pack; OF_SLICE] = std::array::from_fn(|i| read(place + i));
-                        law.tangent(&law.step(&across.at(slice), &committed))
+                        law.tangent(&law.step(&across.at(slice), &committed, layer.pace(&read, place)))
                     }
                     None => [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(Pack::splat),
                 };

@@ -120,8 +120,13 @@ impl Specimen {
     }
 
     pub fn commit(&mut self, strains: &Strains) {
+        self.commit_in(strains, f64::INFINITY);
+    }
+
+    /// A step that takes some time.
+    pub fn commit_in(&mut self, strains: &Strains, duration: f64) {
         let mut trial = vec![Pack::ZERO; self.history.len()];
-        self.section.history_from(strains, &self.history, &mut trial);
+        self.section.history_from(strains, duration, &self.history, &mut trial);
         self.history = trial;
     }
 

@@ -8,5 +8,6 @@ mod derivatives;
 mod paths;
 mod plies;
 mod points;
+mod rates;
 mod refused;
 mod sheets;

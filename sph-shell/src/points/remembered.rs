@@ -78,12 +78,12 @@ impl Sweep<'_> {
 }
 
 impl Points {
-    /// Commits what a state makes of the history of each point.
-    pub fn commit(&mut self, strain: &dyn StrainMeasure, state: &[Row], threads: usize) {
+    /// Commits what a state makes of the history of each point in a step that takes a time \[T\].
+    pub fn commit(&mut self, strain: &dyn StrainMeasure, state: &[Row], duration: f64, threads: usize) {
         let Sections::Remembering(packs) = &mut self.sections else { return };
         let mut packs = std::mem::take(packs);
         parallel::chunks(threads, &mut packs[..], |first, chunk: &mut [RememberingPack]| {
-            widest(Committing { points: self, strain, state, first, packs: chunk });
+            widest(Committing { points: self, strain, state, duration, first, packs: chunk });
         });
         self.sections = Sections::Remembering(packs);
     }
@@ -94,6 +94,8 @@ struct Committing<'a> {
     points: &'a Points,
     strain: &'a dyn StrainMeasure,
     state: &'a [Row],
+    /// Time of the step \[T\]; infinite at rest.
+    duration: f64,
     first: usize,
     packs: &'a mut [RememberingPack],
 }
@@ -107,8 +109,10 @@ impl Work for Committing<'_> {
             let place = self.first + i;
             let strain: &dyn StrainMeasure = self.points.strains.get(place).map_or(self.strain, |own| own);
             match (strain as &dyn Any).downcast_ref::<Logarithmic>() {
-                Some(strain) => commit(self.points, registers, strain, self.state, place, pack),
-                None => commit(self.points, Baseline, strain, self.state, place, pack),
+                Some(strain) => {
+                    commit(self.points, registers, strain, (self.state, self.duration), place, pack)
+                }
+                None => commit(self.points, Baseline, strain, (self.state, self.duration), place, pack),
             }
         }
     }
@@ -119,7 +123,7 @@ fn commit<R: Registers, M: StrainsOf<R::Four> + ?Sized>(
     points: &Points,
     registers: R,
     strain: &M,
-    state: &[Row],
+    (state, duration): (&[Row], f64),
     place: usize,
     pack: &mut RememberingPack,
 ) {
@@ -131,14 +135,15 @@ fn commit<R: Registers, M: StrainsOf<R::Four> + ?Sized>(
         (Some(plastic), _) => {
             let read = |i: usize| registers.load(&committed[i]);
             let Resultants { membrane: [a, b, c], moment: [d, e, f], shear: [g, h] } =
-                plastic.commit_in(&now.strains, read, |i, number| trial[i] = registers.store(number));
+                plastic
+                    .commit_in(&now.strains, duration, read, |i, number| trial[i] = registers.store(number));
             Resultants {
                 membrane: [registers.store(a), registers.store(b), registers.store(c)],
                 moment: [registers.store(d), registers.store(e), registers.store(f)],
                 shear: [registers.store(g), registers.store(h)],
             }
         }
-        (None, Some(memory)) => memory.history_from(&strains, committed, trial),
+        (None, Some(memory)) => memory.history_from(&strains, duration, committed, trial),
         (None, None) => Resultants::default(),
     };
     pack.section.end_commit(&strains, &met);
@@ -216,6 +221,7 @@ mod tests {
                     points: &points,
                     strain: &Logarithmic,
                     state: &state,
+                    duration: 1e-4,
                     first: 0,
                     packs: &mut packs,
                 };

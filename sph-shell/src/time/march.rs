@@ -140,7 +140,7 @@ impl Dynamics for Shell {
         }
         junctions.drift(motion, constraints, step.drift());
         ties.put(&mut motion.state);
-        self.commit();
+        self.commit_in(step.drift());
     }
 
     fn advance(&mut self, step: &Step) -> Work {
@@ -148,13 +148,13 @@ impl Dynamics for Shell {
         if self.evaluation.plan.is_some() && self.dependents.is_empty() {
             self.evaluate_external(step.from);
             let work = self.fused_step(step);
-            self.commit();
+            self.commit_in(step.drift());
             return work;
         }
         self.evaluate_internal(false);
         self.evaluate_external(step.from);
         let work = self.update::<true>(step);
-        self.commit();
+        self.commit_in(step.drift());
         work
     }
 

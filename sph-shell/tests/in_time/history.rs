@@ -58,7 +58,7 @@ impl Memory for Hardening {
         2
     }
 
-    fn history_from(&self, strains: &Strains, committed: &[Pack], trial: &mut [Pack]) -> Resultants {
+    fn history_from(&self, strains: &Strains, _: f64, committed: &[Pack], trial: &mut [Pack]) -> Resultants {
         for (i, number) in trial.iter_mut().enumerate() {
             *number = each(strains, committed, |point| point.history[i]);
         }

@@ -129,6 +129,11 @@ fn lists(
             left_out.extend(missing.map(String::from));
         }
     }
+    if (0..scene.shell.parts.len()).any(|part| scene.shell.in_part(part).rated().is_some())
+        || scene.shell.rated().is_some()
+    {
+        modelled.push("a yield stress that grows with the rate of plastic strain".into());
+    }
     modelled.extend(parts);
     modelled
         .extend(scene.shell.masses.iter().map(|lumped| format!("mass of {} on {}", lumped.mass, lumped.on)));

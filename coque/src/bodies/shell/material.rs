@@ -2,7 +2,7 @@
 
 use shell_kinematics::{
     Hardening, IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Plastic,
-    PlasticPly, PlasticSection, Ply, RValues, Rubber, RubberSection, Section, StrainMeasure,
+    PlasticPly, PlasticSection, Ply, RValues, Rate, Rubber, RubberSection, Section, StrainMeasure,
 };
 use sph_core::{CubicSpline, Vec3};
 use sph_shell::{Formulation, Reach};
@@ -102,7 +102,16 @@ impl SectionSpec {
 /// [`MaterialError`] for numbers out of bounds.
 pub(crate) fn plastic(given: &scene::Plastic) -> Result<Plastic, MaterialError> {
     let elastic = Isotropic::new(given.young.get(), given.poisson)?;
-    let material = Plastic::new(elastic, hardening(&given.hardening)?).kinematic(given.kinematic.get())?;
+    let slow = Plastic::new(elastic, hardening(&given.hardening)?).kinematic(given.kinematic.get())?;
+    let material = match given.rate {
+        None => slow,
+        Some(scene::Rate::CowperSymonds(law)) => {
+            slow.rated(Rate::cowper_symonds(law.reference.get(), law.exponent.get())?)
+        }
+        Some(scene::Rate::JohnsonCook(law)) => {
+            slow.rated(Rate::johnson_cook(law.reference.get(), law.factor.get())?)
+        }
+    };
     let Some(rolled) = &given.anisotropy else { return Ok(material) };
     Ok(material.anisotropic(RValues::new(rolled.r0.get(), rolled.r45.get(), rolled.r90.get())?))
 }

@@ -90,6 +90,15 @@ impl ShellScene {
         self.yields_itself() || (0..self.parts.len()).any(|part| self.in_part(part).yields_itself())
     }
 
+    /// The first of its materials, where no part has one of its own, whose yield stress grows with the rate: its place among the plies, if it is one of theirs.
+    pub(crate) fn rated(&self) -> Option<Option<usize>> {
+        let rated = |material: &Material| matches!(material, Material::Plastic(own) if own.rate.is_some());
+        let Section::Layered(section) = &self.section else { return rated(&self.material).then_some(None) };
+        let of_ply = |ply: &plies::Ply| rated(ply.material(&self.material));
+        let number = section.plies.iter().position(of_ply)?;
+        Some(section.plies[number].material.is_some().then_some(number))
+    }
+
     /// Mass per volume, the mean over the thickness \[F T²/L⁴\], where the scene gives it.
     pub(crate) fn density(&self) -> Option<f64> {
         match &self.section {

@@ -20,8 +20,40 @@ pub struct Plastic {
     /// Modulus of linear kinematic hardening, by which the back stress grows a plastic strain in uniaxial tension \[F/L²\]; none without.
     #[serde(default)]
     pub kinematic: NotNegative,
+    /// How the yield stress grows with the rate of plastic strain, of a shell in real time; not at all without.
+    pub rate: Option<Rate>,
     /// Hill's criterion of a rolled sheet in place of von Mises', of a shell.
     pub anisotropy: Option<Anisotropy>,
+}
+
+/// The yield stress over that of slow flow, `1 + s`, at the rate ε̇ of equivalent plastic strain.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum Rate {
+    /// `s = (ε̇/reference)^(1/exponent)`.
+    CowperSymonds(CowperSymonds),
+    /// `s = factor ln(ε̇/reference)` beyond the reference, without heat.
+    JohnsonCook(JohnsonCook),
+}
+
+/// Cowper and Symonds' law.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CowperSymonds {
+    /// Rate at which the yield stress is twice that of slow flow \[1/T\]: 40/s is usual of mild steel, 6500/s of aluminium.
+    pub reference: Positive,
+    /// Exponent, one at least \[–\]: 5 is usual of mild steel, 4 of aluminium.
+    pub exponent: Positive,
+}
+
+/// Johnson and Cook's factor of the rate.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JohnsonCook {
+    /// Rate up to which nothing changes \[1/T\].
+    pub reference: Positive,
+    /// Overstress by e times the rate \[–\].
+    pub factor: Positive,
 }
 
 /// Strains of bars cut from a rolled sheet: that across its width over that through its thickness.

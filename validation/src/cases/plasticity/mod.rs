@@ -9,6 +9,7 @@ mod cylinder_yielding;
 mod disc_yielding;
 mod hemisphere_yielding;
 mod plate_yielding;
+mod ring_struck;
 mod roof_collapsing;
 mod strip_fibre_metal;
 mod strip_necking;
@@ -18,7 +19,7 @@ mod tube_crushed;
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 13] {
+pub fn all() -> [Case; 14] {
     [
         strip_necking::case(),
         strip_fibre_metal::case(),
@@ -29,6 +30,7 @@ pub fn all() -> [Case; 13] {
         roof_collapsing::case(),
         cylinder_yielding::case(),
         column_yielding::case(),
+        ring_struck::case(),
         cook_yielding::case(),
         disc_yielding::case(),
         balloon_inflating::case(),

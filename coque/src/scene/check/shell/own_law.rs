@@ -7,7 +7,7 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
-use crate::scene::shell::plastic::{Hardening, Plastic};
+use crate::scene::shell::plastic::{Hardening, Plastic, Rate};
 use crate::scene::shell::plies::Ply;
 use crate::scene::shell::rubber::{Rubber, RubberLaw};
 use crate::scene::shell::section::Section;
@@ -59,6 +59,12 @@ impl ShellScene {
 /// The numbers of a material that yields, of a shell or a solid.
 pub(in crate::scene::check) fn check_plastic(plastic: &Plastic, s: &Scope<'_>) -> Verdict {
     check_poisson("material.plastic.poisson", plastic.poisson, s)?;
+    if let Some(Rate::CowperSymonds(law)) = &plastic.rate {
+        let (path, exponent) = ("material.plastic.rate.cowper-symonds.exponent", law.exponent.get());
+        if exponent < 1.0 {
+            return Err(s.value(path, exponent, "at least 1", "it is the p of (ε̇/D)^(1/p), 5 of mild steel"));
+        }
+    }
     match &plastic.hardening {
         Hardening::Table(rows) => check_table(rows, s),
         _ => Ok(()),
@@ -138,6 +144,14 @@ fn check_law_of(scene: &BodyInScene<'_>, shell: &ShellScene, below: &str, s: &Sc
             format!("none in {}, which takes the material as it is at rest", scene.analysis.kind().name);
         let repair = "use [analysis.static], [analysis.arc-length] or a march, or [material.elastic]";
         return refuse(&path, &of, &bound, repair);
+    }
+    if let Some(ply) = shell.rated()
+        && !scene.analysis.kind().passes_time
+    {
+        let of_ply = ply.map_or_else(String::new, |number| format!("section.layered.plies[{number}]."));
+        let bound = format!("none in {}, whose steps take no real time", scene.analysis.kind().name);
+        let repair = "remove it, or use [analysis.explicit.transient]";
+        return refuse(&format!("{below}{of_ply}material.plastic.rate"), "a law of rates", &bound, repair);
     }
     Ok(())
 }

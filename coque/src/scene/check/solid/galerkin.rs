@@ -143,6 +143,10 @@ fn check_yielding(plastic: &Plastic, galerkin: &Galerkin, s: &Scope<'_>) -> Verd
         let repair = "remove it: a solid yields by von Mises' criterion; a rolled sheet is a shell";
         return refuse("material.plastic.anisotropy", "Hill's criterion", "none of a solid", repair);
     }
+    if plastic.rate.is_some() {
+        let repair = "remove it: a solid without bonds is computed at rest, where rates do nothing; a shell in time has it";
+        return refuse("material.plastic.rate", "a law of rates", "none of a solid", repair);
+    }
     if galerkin.law != GalerkinLaw::StrainRotation {
         let bound = "\"strain-rotation\" beside [material.plastic], which goes by increments";
         return refuse("formulation.galerkin.law", "another law", bound, "remove it");
