@@ -117,6 +117,8 @@
 //! `Σ w (½|x|² + ½β:εp + ∫K dα)` is a potential of the step; `Σ w K(0) α` of it is dissipated, the rest stored. A commit moves F and leaves the strains of
 //! all points what they are. What a history says is in [`Tallies`].
 //!
+//! A [`BackStress`] recovers as it grows, by Armstrong and Frederick's law; several of them are Chaboche's. The unknown of a step is then Δα, its tangent the symmetric half.
+//!
 //! With a [`Rate`] the yield stress of a step that takes the time Δt is `(1 + s) K`, s the overstress at the rate Δα/Δt, by Cowper and Symonds or Johnson and Cook. The
 //! equation is solved for s, in six more steps: a step of backward Euler, for any Δt. At rest Δt is infinite and s zero. The work against s is
 //! dissipated.
@@ -199,6 +201,7 @@
 //! | bars of a rolled sheet have its r-values | `bars_have_the_r_values` (tests/plastic/sheets.rs) |
 //! | moments and springback of a bent strip; cycles close | tests/plastic/bending.rs, `a_cycle_of_kinematic_hardening_closes` (paths.rs) |
 //! | forces and tangents of sections that yield are derivatives at a fixed history | tests/plastic/derivatives.rs |
+//! | bars with back stresses that recover follow their exponentials, close their loops and ratchet | tests/plastic/recovery.rs |
 //! | steps in time meet the overstress of their rate; long ones those of slow flow, short ones elasticity | tests/plastic/rates.rs |
 //! | dissipation never falls; work is stored or dissipated | `dissipation_never_falls`, `the_work_is_stored_or_dissipated` (tests/plastic/paths.rs) |
 //! | the lever arm and the curvature are those of the present thickness and stretch | `a_stretched_sheet_bends_about_its_present_thickness` |
@@ -232,8 +235,8 @@ mod transverse_shear;
 
 pub use history_pack::{Commit, Flowed, HistoryPack, YieldingPack};
 pub use inelastic::{
-    Hardening, Plastic, PlasticPly, PlasticSection, PlyMaterial, RValues, Rate, Rubber, RubberSection,
-    Tallies,
+    BackStress, Hardening, MOST_BACK_STRESSES, Plastic, PlasticPly, PlasticSection, PlyMaterial, RValues,
+    Rate, Rubber, RubberSection, Tallies,
 };
 pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     Arc = TypedDict("Arc", {"angles": Sequence[float], "cells": Sequence[int], "length": float, "radius": float, "thickness": float})
     ArcLength = TypedDict("ArcLength", {"branches": NotRequired["Branches"], "iterations": NotRequired[int], "radius": NotRequired[float], "steps": NotRequired[int], "stop": NotRequired["Stop"], "tolerance": NotRequired[float], "until": NotRequired[float]})
     Axis: TypeAlias = Union[Literal['edge'], Sequence[float]]
+    BackStress = TypedDict("BackStress", {"modulus": float, "recovery": float})
     Ball = TypedDict("Ball", {"centre": Sequence[float], "radius": float})
     Basin = TypedDict("Basin", {"max": Sequence[float], "min": Sequence[float], "open": NotRequired[Sequence[str]]})
     Block = TypedDict("Block", {"disorder": NotRequired["NodeDisorder"], "grading": NotRequired[Sequence[float]], "lengths": Sequence[float], "nodes": NotRequired["NodePlaces"], "origin": NotRequired[Sequence[float]], "spacing": "PerAxis", "thickness": NotRequired[float]})
@@ -160,7 +161,7 @@ if TYPE_CHECKING:
     PerAxis: TypeAlias = Union[float, Sequence[float]]
     Placed = TypedDict("Placed", {"origin": NotRequired[Sequence[float]], "u": Sequence[float], "v": Sequence[float]})
     Plane: TypeAlias = Union[Literal['stress'], Literal['strain']]
-    Plastic = TypedDict("Plastic", {"anisotropy": NotRequired["Anisotropy"], "density": float, "hardening": "Hardening", "kinematic": NotRequired[float], "poisson": float, "rate": NotRequired["Rate"], "young": float})
+    Plastic = TypedDict("Plastic", {"anisotropy": NotRequired["Anisotropy"], "back-stresses": NotRequired[Sequence["BackStress"]], "density": float, "hardening": "Hardening", "kinematic": NotRequired[float], "poisson": float, "rate": NotRequired["Rate"], "young": float})
     Plate = TypedDict("Plate", {"disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[float]], "lengths": Sequence[float], "particles": NotRequired[Sequence[int]], "scattered": NotRequired["Scattered"]})
     Plot = TypedDict("Plot", {"x": str, "y": str})
     Ply = TypedDict("Ply", {"angle": float, "material": NotRequired["Material"], "slices": NotRequired[int], "thickness": float})

@@ -76,7 +76,8 @@ pub use shell::material::{Elastic, Material, OfFile, Orthotropic};
 pub use shell::mesh::Mesh;
 pub use shell::parts::{LumpedMass, PartFormulation, PartStressPoint, RigidBody, ShellPart, ShellTie};
 pub use shell::plastic::{
-    Anisotropy, CowperSymonds, Hardening, JohnsonCook, Linear as LinearHardening, Plastic, Rate, Swift, Voce,
+    Anisotropy, BackStress, CowperSymonds, Hardening, JohnsonCook, Linear as LinearHardening, Plastic, Rate,
+    Swift, Voce,
 };
 pub use shell::plies::{Layered, Ply};
 pub use shell::rubber::{MooneyRivlin, NeoHooke, Rubber, RubberLaw};

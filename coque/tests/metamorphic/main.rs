@@ -90,9 +90,13 @@ const APART: [(&str, &str); 1] = [(
     "[{ name = \"flat\", plane = { point = [0.0, 0.0, 0.5001], normal = [0.0, 0.0, -1.0] }, moved = [0.0, 0.0, -0.001] }]",
 )];
 
-/// Thrown so fast that it bears more than when it flows slowly.
-const RATED: [(&str, &str); 2] = [
+/// Thrown so fast that it bears more than when it flows slowly, with back stresses that recover.
+const RATED: [(&str, &str); 3] = [
     ("analysis.explicit.transient.duration", "0.002"),
+    (
+        "material.plastic.back-stresses",
+        "[{ modulus = 2e7, recovery = 150.0 }, { modulus = 2e6, recovery = 20.0 }]",
+    ),
     ("material.plastic.rate", "{ cowper-symonds = { reference = 1000.0, exponent = 4.0 } }"),
 ];
 

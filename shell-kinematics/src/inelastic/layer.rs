@@ -2,13 +2,15 @@
 
 use super::functions::three;
 use super::modes::Modes;
-use super::return_map::{Pace, PointLaw};
+use super::recovery::MOST_BACK_STRESSES;
+use super::return_map::{Committed, Pace, PointLaw};
 use super::slices::Slice;
 use super::thickness::Lever;
 use crate::pack::Number;
 use crate::strains::Strains;
 
-/// Numbers of a history that each slice has: three plastic strains in the coordinates of [`super::modes`], then α; where rates count the overstress behind them.
+/// Numbers of a history that each slice has: three plastic strains in the coordinates of [`super::modes`], then α; behind them three of each back stress that recovers, and
+/// the overstress where rates count.
 pub(super) const OF_SLICE: usize = 4;
 
 /// One ply with its points.
@@ -54,10 +56,33 @@ impl Layer {
         if self.law.is_some() { self.of_slice * self.slices.len() } else { 0 }
     }
 
-    /// The pace of what is asked outside a commit, from the numbers of a point.
+    /// The pace of what is asked outside a commit, from the numbers of a point that yields.
     #[inline(always)]
-    pub fn pace<P>(&self, read: impl Fn(usize) -> P, place: usize) -> Pace<P> {
-        if self.of_slice == OF_SLICE { Pace::Slow } else { Pace::Held(read(place + OF_SLICE)) }
+    pub fn pace<P>(&self, law: &PointLaw, read: impl Fn(usize) -> P, place: usize) -> Pace<P> {
+        if law.is_rated() { Pace::Held(read(place + self.of_slice - 1)) } else { Pace::Slow }
+    }
+
+    /// The numbers that every point that yields has, in a history: e_p and α.
+    #[inline(always)]
+    pub fn plain<P>(read: impl Fn(usize) -> P, place: usize) -> [P; OF_SLICE] {
+        [read(place), read(place + 1), read(place + 2), read(place + 3)]
+    }
+
+    /// All numbers of a point that yields, in a history.
+    #[inline(always)]
+    pub fn committed<P: Number>(
+        &self,
+        law: &PointLaw,
+        read: impl Fn(usize) -> P,
+        place: usize,
+    ) -> Committed<P> {
+        let [p0, p1, p2, alpha] = Self::plain(&read, place);
+        let mut backs = [[alpha.all(0.0); 3]; MOST_BACK_STRESSES];
+        for (number, back) in backs.iter_mut().enumerate().take(law.backs.len()) {
+            let first = place + OF_SLICE + 3 * number;
+            *back = [read(first), read(first + 1), read(first + 2)];
+        }
+        Committed { plastic: [p0, p1, p2], alpha, backs }
     }
 
     /// Its points, each with the place of its numbers in a history, if it yields.

@@ -1,12 +1,15 @@
 //! Sections that yield, by plane-stress plasticity at points through the thickness, and sections of rubber.
 
+mod energies;
 mod functions;
 mod hardening;
 mod hill;
 mod layer;
+mod met;
 mod modes;
 mod ply;
 mod rate;
+mod recovery;
 mod return_map;
 mod rubber;
 mod rubber_section;
@@ -20,6 +23,7 @@ pub use hardening::Hardening;
 pub use hill::RValues;
 pub use ply::{Plastic, PlasticPly, PlyMaterial};
 pub use rate::Rate;
+pub use recovery::{BackStress, MOST_BACK_STRESSES};
 pub use rubber::Rubber;
 pub use rubber_section::RubberSection;
 pub use section::PlasticSection;

@@ -5,6 +5,7 @@ use super::hill::RValues;
 use super::layer::{Layer, OF_SLICE};
 use super::modes::Modes;
 use super::rate::Rate;
+use super::recovery::{BackStress, MOST_BACK_STRESSES};
 use super::return_map::PointLaw;
 use super::slices::slices;
 use crate::layered_section::{Orthotropic, Ply};
@@ -20,13 +21,15 @@ pub struct Plastic {
     hardening: Hardening,
     kinematic: f64,
     rate: Option<Rate>,
+    backs: Vec<BackStress>,
     modes: Modes,
 }
 
 impl Plastic {
     /// Von Mises' criterion with isotropic hardening alone.
     pub fn new(elastic: Isotropic, hardening: Hardening) -> Self {
-        Self { elastic, hardening, kinematic: 0.0, rate: None, modes: Modes::von_mises(&elastic) }
+        let modes = Modes::von_mises(&elastic);
+        Self { elastic, hardening, kinematic: 0.0, rate: None, backs: Vec::new(), modes }
     }
 
     /// What it is as long as nothing flows.
@@ -40,6 +43,18 @@ impl Plastic {
     /// [`MaterialError::Constant`] unless H_k is zero or positive, and finite.
     pub fn kinematic(self, modulus: f64) -> Result<Self, MaterialError> {
         Ok(Self { kinematic: not_negative("the modulus of kinematic hardening", modulus)?, ..self })
+    }
+
+    /// The same with back stresses that recover, beside that of linear kinematic hardening.
+    ///
+    /// # Errors
+    /// [`MaterialError::Constant`] for more than three.
+    pub fn recovering(self, backs: Vec<BackStress>) -> Result<Self, MaterialError> {
+        if backs.len() > MOST_BACK_STRESSES {
+            let (what, value) = ("the number of back stresses", backs.len() as f64);
+            return Err(MaterialError::Constant { what, value, bound: "three at most" });
+        }
+        Ok(Self { backs, ..self })
     }
 
     /// The same with a yield stress that grows with the rate of plastic strain, in steps that take time.
@@ -92,7 +107,7 @@ impl PlasticPly {
     /// [`MaterialError::Constant`] for fewer than 2 slices of a material that yields.
     pub(super) fn layer(&self, middle: f64, first: usize) -> Result<Layer, MaterialError> {
         let of = |law: Option<PointLaw>, modes: Modes, count: usize, thinning| Layer {
-            of_slice: OF_SLICE + usize::from(law.as_ref().is_some_and(PointLaw::is_rated)),
+            of_slice: law.as_ref().map_or(OF_SLICE, PointLaw::numbers),
             law,
             modes,
             first,
@@ -100,13 +115,14 @@ impl PlasticPly {
             thinning,
         };
         Ok(match &self.material {
-            PlyMaterial::Plastic(Plastic { elastic, hardening, kinematic, rate, modes }, count) => {
+            PlyMaterial::Plastic(Plastic { elastic, hardening, kinematic, rate, backs, modes }, count) => {
                 if *count < 2 {
                     let (what, value) = ("the number of slices of a ply", *count as f64);
                     return Err(MaterialError::Constant { what, value, bound: "at least 2" });
                 }
                 let modes = modes.turned(self.angle);
-                let law = PointLaw::new(&modes, hardening.clone(), *kinematic, *rate);
+                let law = PointLaw::new(&modes, hardening.clone(), *kinematic);
+                let law = law.with(backs.clone(), *rate);
                 of(Some(law), modes, *count, thinning(elastic, &modes))
             }
             PlyMaterial::Elastic(elastic) => {

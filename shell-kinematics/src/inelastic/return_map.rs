@@ -24,16 +24,18 @@
 
 use super::functions::{above_zero, three};
 use super::hardening::{Hardening, Yield};
+use super::layer::OF_SLICE;
 use super::modes::Modes;
 use super::rate::Rate;
+use super::recovery::{BackStress, Backs};
 use crate::pack::{Number, Pack};
 
 /// Newton's steps behind the first.
 const STEPS: usize = 3;
 /// Newton's steps for the overstress.
-const RATED_STEPS: usize = 6;
+pub(super) const RATED_STEPS: usize = 6;
 /// Points within this share of the yield stress below the surface stand on it, with the tangent of flow.
-const ON_THE_SURFACE: f64 = 1e-9;
+pub(super) const ON_THE_SURFACE: f64 = 1e-9;
 
 /// r = √⅔.
 fn root() -> f64 {
@@ -45,14 +47,18 @@ fn root() -> f64 {
 pub(super) struct PointLaw {
     hardening: Hardening,
     /// ⅔H_k \[F/L²\].
-    kinematic: f64,
+    pub(super) kinematic: f64,
+    /// Back stresses that recover.
+    pub(super) backs: Vec<BackStress>,
     /// p \[F/L²\].
-    yielding: [f64; 3],
+    pub(super) yielding: [f64; 3],
+    /// Whether it has a rate or back stresses that recover.
+    pub(super) loses_more: bool,
     /// Whether the second and the third p are the same, so that their terms are one.
     pair: bool,
-    rate: Option<Rate>,
+    pub(super) rate: Option<Rate>,
     /// r.
-    root: f64,
+    pub(super) root: f64,
 }
 
 /// How fast a step goes.
@@ -64,6 +70,17 @@ pub(super) enum Pace<P> {
     Held(P),
     /// In so much time \[T\].
     Lasting(f64),
+}
+
+/// What a point was committed as.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Committed<P> {
+    /// e_p.
+    pub plastic: [P; 3],
+    /// Equivalent plastic strain.
+    pub alpha: P,
+    /// Back stresses that recover.
+    pub backs: Backs<P>,
 }
 
 /// What a step makes of a point.
@@ -140,16 +157,28 @@ fn newton<P: Number>(sums: &Sums<P>, size: P, now: &Yield<P>, r: f64) -> P {
 }
 
 impl PointLaw {
-    /// Hardening of both kinds, H_k the modulus of the kinematic one \[F/L²\], and what rates do.
-    pub fn new(modes: &Modes, hardening: Hardening, kinematic: f64, rate: Option<Rate>) -> Self {
+    /// Hardening of both kinds, H_k the modulus of the kinematic one \[F/L²\].
+    pub fn new(modes: &Modes, hardening: Hardening, kinematic: f64) -> Self {
         Self {
             hardening,
-            rate,
+            rate: None,
+            backs: Vec::new(),
+            loses_more: false,
             kinematic: kinematic * 2.0 / 3.0,
             yielding: modes.yielding,
             pair: modes.yielding[1] == modes.yielding[2],
             root: root(),
         }
+    }
+
+    /// The same with back stresses that recover, and what rates do.
+    pub fn with(self, backs: Vec<BackStress>, rate: Option<Rate>) -> Self {
+        Self { loses_more: rate.is_some() || !backs.is_empty(), backs, rate, ..self }
+    }
+
+    /// Numbers of a history that a point has.
+    pub fn numbers(&self) -> usize {
+        OF_SLICE + 3 * self.backs.len() + usize::from(self.is_rated())
     }
 
     /// The mean of p \[F/L²\]: a stress beside the surface loses the share pγ/(1 + pγ) of it in a step.
@@ -169,7 +198,7 @@ impl PointLaw {
 
     /// Yield stress and slope of slow flow, or with an overstress.
     #[inline(always)]
-    fn yields<P: Number>(&self, alpha: P, overstress: Option<P>) -> Yield<P> {
+    pub(super) fn yields<P: Number>(&self, alpha: P, overstress: Option<P>) -> Yield<P> {
         let slow = self.hardening.at(alpha);
         match overstress {
             None => slow,
@@ -186,9 +215,26 @@ impl PointLaw {
         three(|i| stress[i] - plastic[i] * (self.kinematic / self.yielding[i]))
     }
 
-    /// The step to a strain e from a committed point: e_p and α.
+    /// The step to a strain e from a committed point.
     #[inline(always)]
-    pub fn step<P: Number>(&self, strain: &[P; 3], committed: &[P; 4], pace: Pace<P>) -> Point<P> {
+    pub fn step<P: Number>(&self, strain: &[P; 3], committed: &Committed<P>, pace: Pace<P>) -> Point<P> {
+        let Committed { plastic: [p0, p1, p2], alpha, backs } = *committed;
+        if self.backs.is_empty() {
+            return self.step_without(strain, &[p0, p1, p2, alpha], pace);
+        }
+        let stress = three(|i| strain[i] - committed.plastic[i]);
+        let over = self.over(&stress, &committed.plastic);
+        self.recovering_step((stress, committed.plastic, over), alpha, &backs, pace)
+    }
+
+    /// The same of a law without back stresses that recover, from e_p and α.
+    #[inline(always)]
+    pub fn step_without<P: Number>(
+        &self,
+        strain: &[P; 3],
+        committed: &[P; OF_SLICE],
+        pace: Pace<P>,
+    ) -> Point<P> {
         let [p0, p1, p2, alpha] = *committed;
         let plastic = [p0, p1, p2];
         let stress = three(|i| strain[i] - plastic[i]);
@@ -305,31 +351,14 @@ impl PointLaw {
         Root { gamma, size: trial.sums(gamma).square.sqrt(), overstress: s * fast, ..slow }
     }
 
-    /// Work per volume \[F/L²\]: stored elastically, stored by hardening, dissipated.
-    #[inline(always)]
-    pub fn work<P: Number>(&self, stress: &[P; 3], plastic: &[P; 3], alpha: P) -> [P; 3] {
-        let elastic = (stress[0] * stress[0] + stress[1] * stress[1] + stress[2] * stress[2]) * 0.5;
-        let mut hardened = self.hardening.stored(alpha);
-        if self.kinematic > 0.0 {
-            for i in 0..3 {
-                hardened += plastic[i] * plastic[i] * (0.5 * self.kinematic / self.yielding[i]);
-            }
-        }
-        [elastic, hardened, alpha * self.hardening.initial()]
-    }
-
-    /// Work per volume against an overstress that α grows against, `s ∫K dα` from a committed α \[F/L²\].
-    #[inline(always)]
-    pub fn overwork<P: Number>(&self, point: &Point<P>, committed: P) -> P {
-        let all = |alpha: P| self.hardening.stored(alpha) + alpha * self.hardening.initial();
-        (all(point.alpha) - all(committed)) * point.overstress
-    }
-
     /// `∂x/∂e` of the step, symmetric: 11, 22, 33, 12, 13, 23 of its three coordinates.
     ///
     /// With `θ1 = 1 + ⅔H_kγ`, `θ2 = 1 − ⅔K'γ`, `m_i = 1/(1 + p_iγ/θ1)` and `n_i = m_i p_i ξ_i` it is
     /// `diag m − θ2 n nᵀ/(θ2 Σ n_i p_i ξ_i + ⅔θ1(K'θ1 + H_kθ2) f²)`.
-    pub fn tangent(&self, point: &Point<Pack>) -> [Pack; 6] {
+    pub fn tangent(&self, point: &Point<Pack>, committed: &Committed<Pack>) -> [Pack; 6] {
+        if !self.backs.is_empty() {
+            return self.recovering_tangent(point, committed.alpha, &committed.backs);
+        }
         let [zero, one] = [Pack::ZERO, Pack::splat(1.0)];
         let slope = self.yields(point.alpha, self.rate.map(|_| point.overstress)).slope;
         let theta1 = one + point.gamma * self.kinematic;

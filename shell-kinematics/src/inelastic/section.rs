@@ -1,10 +1,9 @@
 //! A section of plies some of which yield: equal slices, with the plastic strain of each, the thickness and the stretch as memory.
 
-use super::functions::three;
-use super::layer::{Layer, OF_SLICE};
+use super::layer::Layer;
+use super::met::{Committing, Flowing, Held, Met};
 use super::ply::{Plastic, PlasticPly, PlyMaterial};
-use super::return_map::{Pace, PointLaw};
-use super::slices::Slice;
+use super::return_map::PointLaw;
 use super::thickness::{self, Lever};
 use crate::layered_section::{LayeredSection, Ply};
 use crate::memory::Memory;
@@ -22,15 +21,15 @@ const LEAST_KEPT: f64 = 0.02;
 /// strain h of its mid-surface, its curvature the change K of curvature freed of stretch.
 ///
 /// Transverse shear is elastic, that of a [`LayeredSection`], and no part of the yield criterion. The history has, a slice of what yields, three plastic strains and α,
-/// then λ₃ − 1, U⁻¹ − 1, g and 1 − χ ([`PlasticSection::tallies`] reads it), and where rates count an overstress a slice and the work against it; the strain at a height is h + z (F K + g). λ₃ and U⁻¹ are those of the last
+/// then λ₃ − 1, U⁻¹ − 1, g and 1 − χ ([`PlasticSection::tallies`] reads it), and with them what back stresses and rates need (inelastic/layer.rs); the strain at a height is h + z (F K + g). λ₃ and U⁻¹ are those of the last
 /// commit, which makes a step's resultants the derivative of its work; a commit moves them, and leaves the strain of each point what it is.
 #[derive(Clone, Debug)]
 pub struct PlasticSection {
     pub(super) layers: Vec<Layer>,
     /// The place of λ₃ − 1 in a history.
     pub(super) of_section: usize,
-    /// Whether the yield stress of a ply grows with the rate.
-    pub(super) rated: bool,
+    /// Whether a ply dissipates more than `K(0) α`, whose sum is the last number of a history.
+    pub(super) loses_more: bool,
     /// Transverse shear stiffness \[F/L\].
     pub(super) shear: [[f64; 2]; 2],
     pub(super) scales: SectionScales,
@@ -62,13 +61,13 @@ impl PlasticSection {
             first += layer.numbers();
             layers.push(layer);
         }
-        let rated = layers.iter().any(|layer| layer.law.as_ref().is_some_and(PointLaw::is_rated));
-        Ok(Self { layers, of_section: first, rated, shear: *elastic.transverse_shear(), scales })
+        let loses_more = layers.iter().any(|layer| layer.law.as_ref().is_some_and(PointLaw::loses_more));
+        Ok(Self { layers, of_section: first, loses_more, shear: *elastic.transverse_shear(), scales })
     }
 
     /// Whether the yield stress of a ply grows with the rate of plastic strain.
     pub fn is_rated(&self) -> bool {
-        self.rated
+        self.laws().any(PointLaw::is_rated)
     }
 
     /// The laws of the plies that yield.
@@ -160,7 +159,7 @@ impl PlasticSection {
         let lever = self.lever(&read);
         let ([g1, g2], [q1, q2]) = (strains.shear, self.sheared(&strains.shear));
         let mut work = (g1 * q1 + g2 * q2) * 0.5;
-        if self.rated {
+        if self.loses_more {
             work += read(self.of_section + OF_SECTION);
         }
         for layer in &self.layers {
@@ -169,12 +168,14 @@ impl PlasticSection {
                 let strain = across.at(slice);
                 work += match &layer.law {
                     Some(law) => {
-                        let numbers = committed(&read, place);
-                        let point = law.step(&strain, &numbers, layer.pace(&read, place));
-                        let [stored, hardened, dissipated] =
-                            law.work(&point.stress, &point.plastic, point.alpha);
-                        let slow = stored + hardened + dissipated;
-                        let all = if law.is_rated() { slow + law.overwork(&point, numbers[3]) } else { slow };
+                        let before = layer.committed(law, &read, place);
+                        let point = law.step(&strain, &before, layer.pace(law, &read, place));
+                        let after = law.after(&point, &before);
+                        let [stored, hardened, dissipated] = law.work(&point.stress, &after);
+                        let mut all = stored + hardened + dissipated;
+                        if law.loses_more() {
+                            all += law.lost(point.overstress, &before, &after);
+                        }
                         all * slice.weight
                     }
                     None => {
@@ -209,10 +210,10 @@ impl PlasticSection {
             log_thickness: zero,
             eased: zero,
             whole: 0.0,
-            overwork: zero,
+            lost: zero,
         };
         let resultants = self.summed(strains, &lever, &mut sums);
-        let Committing { log_thickness, eased, whole, overwork, read, .. } = sums;
+        let Committing { log_thickness, eased, whole, lost, read, .. } = sums;
         let log_thickness = log_thickness * (1.0 / self.scales.thickness);
         let first = self.of_section;
         let numbers = lever.next(log_thickness, &strains.membrane, &strains.curvature);
@@ -220,8 +221,8 @@ impl PlasticSection {
             write(first + i, numbers[i]);
         }
         write(first + thickness::NUMBERS, (eased * (1.0 / whole)).min(zero.all(1.0 - LEAST_KEPT)));
-        if self.rated {
-            write(first + OF_SECTION, read(first + OF_SECTION) + overwork);
+        if self.loses_more {
+            write(first + OF_SECTION, read(first + OF_SECTION) + lost);
         }
         brought(resultants, &Lever::read(numbers))
     }
@@ -233,96 +234,9 @@ fn brought<P: Number>(found: Resultants<P>, lever: &Lever<P>) -> Resultants<P> {
     Resultants { moment: lever.moments(&found.moment), ..found }
 }
 
-/// What is met at a point of a given strain, whose numbers lie at a place of a history.
-trait Met<P> {
-    /// Its stress, in the coordinates of its ply's modes.
-    fn stress(&mut self, layer: &Layer, slice: &Slice, place: usize, strain: &[P; 3]) -> [P; 3];
-}
-
-/// The law.
-struct Flowing<R> {
-    read: R,
-}
-
-impl<P: Number, R: Fn(usize) -> P> Met<P> for Flowing<R> {
-    #[inline(always)]
-    fn stress(&mut self, layer: &Layer, _: &Slice, place: usize, strain: &[P; 3]) -> [P; 3] {
-        match &layer.law {
-            Some(law) => {
-                law.step(strain, &committed(&self.read, place), layer.pace(&self.read, place)).stress
-            }
-            None => *strain,
-        }
-    }
-}
-
-/// Elasticity, all points as they were committed.
-struct Held<'a>(&'a [Pack]);
-
-impl Met<Pack> for Held<'_> {
-    fn stress(&mut self, layer: &Layer, _: &Slice, place: usize, strain: &[Pack; 3]) -> [Pack; 3] {
-        if layer.law.is_none() {
-            return *strain;
-        }
-        three(|i| strain[i] - self.0[place + i])
-    }
-}
-
-/// The law, whose new numbers are written.
-struct Committing<'a, P, R, W> {
-    /// Time of the step \[T\]; infinite at rest.
-    duration: f64,
-    read: R,
-    write: &'a mut W,
-    /// `Σ w ln λ₃`.
-    log_thickness: P,
-    /// `Σ w z² pγ/(1 + pγ)`, and `Σ w z²`.
-    eased: P,
-    whole: f64,
-    /// What α grew against overstresses, `Σ w s ∫K dα`.
-    overwork: P,
-}
-
-impl<P: Number, R: Fn(usize) -> P, W: FnMut(usize, P)> Met<P> for Committing<'_, P, R, W> {
-    #[inline(always)]
-    fn stress(&mut self, layer: &Layer, slice: &Slice, place: usize, strain: &[P; 3]) -> [P; 3] {
-        let share = slice.weight * slice.height * slice.height;
-        self.whole += share;
-        let Some(law) = &layer.law else {
-            for i in 0..3 {
-                self.log_thickness += strain[i] * layer.thinning[0][i] * slice.weight;
-            }
-            return *strain;
-        };
-        let numbers = committed(&self.read, place);
-        let in_time = law.is_rated() && self.duration < f64::INFINITY;
-        let pace = if in_time { Pace::Lasting(self.duration) } else { Pace::Slow };
-        let point = law.step(strain, &numbers, pace);
-        if law.is_rated() {
-            (self.write)(place + OF_SLICE, point.overstress);
-            self.overwork += law.overwork(&point, numbers[3]) * slice.weight;
-        }
-        for i in 0..3 {
-            (self.write)(place + i, point.plastic[i]);
-            let thinner = point.stress[i] * layer.thinning[0][i] + point.plastic[i] * layer.thinning[1][i];
-            self.log_thickness += thinner * slice.weight;
-        }
-        (self.write)(place + 3, point.alpha);
-        let flow = point.gamma * law.mean_yielding();
-        self.eased += flow / (flow + point.gamma.all(1.0)) * share;
-        point.stress
-    }
-}
-
-/// The numbers of a point in a history.
-#[inline(always)]
-fn committed<P>(read: impl Fn(usize) -> P, place: usize) -> [P; OF_SLICE] {
-    [read(place), read(place + 1), read(place + 2), read(place + 3)]
-}
-
 impl Memory for PlasticSection {
     fn history_len(&self) -> usize {
-        self.of_section + OF_SECTION + usize::from(self.rated)
+        self.of_section + OF_SECTION + usize::from(self.loses_more)
     }
 
     fn history_from(

@@ -40,13 +40,14 @@ impl Tallies<'_> {
         self.folded(|sum, weight, alpha| sum + flowed(alpha) * (weight / self.section.scales.thickness))
     }
 
-    /// Work per reference area that was dissipated, `Σ w K(0) α` and what went against overstresses \[F/L\].
+    /// Work per reference area that was dissipated, `Σ w K(0) α`, what went against overstresses and what back stresses recovered \[F/L\].
     pub fn dissipated(&self) -> Pack {
         let slow = self.worked()[1];
-        if self.section.rated { slow + self.history[self.section.of_section + OF_SECTION] } else { slow }
+        if self.section.loses_more { slow + self.history[self.section.of_section + OF_SECTION] } else { slow }
     }
 
-    /// Work per reference area that hardening stores by convention, `Σ w (½β:εp + ∫(K − K(0)) dα)` \[F/L\].
+    /// Work per reference area that hardening stores by convention, `Σ w (½β:εp + ∫(K − K(0)) dα)`, of back stresses that recover what they
+    /// store \[F/L\].
     pub fn hardened(&self) -> Pack {
         self.worked()[0]
     }
@@ -63,8 +64,8 @@ impl Tallies<'_> {
         for layer in &self.section.layers {
             let Some(law) = &layer.law else { continue };
             for (slice, place) in layer.points() {
-                let plastic = std::array::from_fn(|i| self.history[place + i]);
-                let [_, hardened, dissipated] = law.work(&[Pack::ZERO; 3], &plastic, self.history[place + 3]);
+                let now = layer.committed(law, |i| self.history[i], place);
+                let [_, hardened, dissipated] = law.work(&[Pack::ZERO; 3], &now);
                 out[0] += hardened * slice.weight;
                 out[1] += dissipated * slice.weight;
             }

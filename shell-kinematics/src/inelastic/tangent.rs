@@ -1,6 +1,5 @@
 //! The tangent of a section that yields: the tangents of its points, summed with one, height and its square.
 
-use super::layer::OF_SLICE;
 use super::section::PlasticSection;
 use crate::pack::Pack;
 use crate::strains::Strains;
@@ -31,8 +30,11 @@ impl PlasticSection {
             for (slice, place) in layer.points() {
                 let tangent = match &layer.law {
                     Some(law) => {
-                        let committed: [Pack; OF_SLICE] = std::array::from_fn(|i| read(place + i));
-                        law.tangent(&law.step(&across.at(slice), &committed, layer.pace(&read, place)))
+                        let committed = layer.committed(law, &read, place);
+                        law.tangent(
+                            &law.step(&across.at(slice), &committed, layer.pace(law, &read, place)),
+                            &committed,
+                        )
                     }
                     None => [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(Pack::splat),
                 };

@@ -9,5 +9,6 @@ mod paths;
 mod plies;
 mod points;
 mod rates;
+mod recovery;
 mod refused;
 mod sheets;

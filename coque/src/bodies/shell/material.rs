@@ -1,8 +1,8 @@
 //! From a scene to what the particles are made of and how they are sampled: section, axes, strain measure, formulation.
 
 use shell_kinematics::{
-    Hardening, IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError, Plastic,
-    PlasticPly, PlasticSection, Ply, RValues, Rate, Rubber, RubberSection, Section, StrainMeasure,
+    BackStress, Hardening, IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError,
+    Plastic, PlasticPly, PlasticSection, Ply, RValues, Rate, Rubber, RubberSection, Section, StrainMeasure,
 };
 use sph_core::{CubicSpline, Vec3};
 use sph_shell::{Formulation, Reach};
@@ -103,6 +103,9 @@ impl SectionSpec {
 pub(crate) fn plastic(given: &scene::Plastic) -> Result<Plastic, MaterialError> {
     let elastic = Isotropic::new(given.young.get(), given.poisson)?;
     let slow = Plastic::new(elastic, hardening(&given.hardening)?).kinematic(given.kinematic.get())?;
+    let backs =
+        given.back_stresses.iter().map(|back| BackStress::new(back.modulus.get(), back.recovery.get()));
+    let slow = slow.recovering(backs.collect::<Result<_, _>>()?)?;
     let material = match given.rate {
         None => slow,
         Some(scene::Rate::CowperSymonds(law)) => {

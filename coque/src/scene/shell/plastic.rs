@@ -20,10 +20,23 @@ pub struct Plastic {
     /// Modulus of linear kinematic hardening, by which the back stress grows a plastic strain in uniaxial tension \[F/L²\]; none without.
     #[serde(default)]
     pub kinematic: NotNegative,
+    /// Back stresses that recover, of a shell, three at most (Armstrong and Frederick, Chaboche); none without.
+    #[serde(default)]
+    pub back_stresses: Vec<BackStress>,
     /// How the yield stress grows with the rate of plastic strain, of a shell in real time; not at all without.
     pub rate: Option<Rate>,
     /// Hill's criterion of a rolled sheet in place of von Mises', of a shell.
     pub anisotropy: Option<Anisotropy>,
+}
+
+/// A back stress X that recovers: in uniaxial tension `dX = modulus dε − recovery X dα`, so that it nears modulus/recovery.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BackStress {
+    /// By how much it grows a plastic strain at first \[F/L²\].
+    pub modulus: Positive,
+    /// How fast it recovers, by a unit of plastic strain \[–\].
+    pub recovery: Positive,
 }
 
 /// The yield stress over that of slow flow, `1 + s`, at the rate ε̇ of equivalent plastic strain.

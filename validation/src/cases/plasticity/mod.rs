@@ -11,6 +11,7 @@ mod hemisphere_yielding;
 mod plate_yielding;
 mod ring_struck;
 mod roof_collapsing;
+mod strip_cycled;
 mod strip_fibre_metal;
 mod strip_necking;
 mod strip_springback;
@@ -19,11 +20,12 @@ mod tube_crushed;
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 14] {
+pub fn all() -> [Case; 15] {
     [
         strip_necking::case(),
         strip_fibre_metal::case(),
         strip_springback::case(),
+        strip_cycled::case(),
         tube_crushed::case(),
         hemisphere_yielding::case(),
         plate_yielding::case(),

@@ -1,5 +1,7 @@
 //! Checks of materials that yield and of rubber: their numbers, and the methods and analyses that have them.
 
+use shell_kinematics::MOST_BACK_STRESSES;
+
 use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::shell::material::check_poisson;
@@ -64,6 +66,15 @@ pub(in crate::scene::check) fn check_plastic(plastic: &Plastic, s: &Scope<'_>) -
         if exponent < 1.0 {
             return Err(s.value(path, exponent, "at least 1", "it is the p of (ε̇/D)^(1/p), 5 of mild steel"));
         }
+    }
+    if plastic.back_stresses.len() > MOST_BACK_STRESSES {
+        let (path, many) = ("material.plastic.back-stresses", plastic.back_stresses.len());
+        return Err(s.value(
+            path,
+            format!("{many} back stresses"),
+            "three at most",
+            "two or three are usual",
+        ));
     }
     match &plastic.hardening {
         Hardening::Table(rows) => check_table(rows, s),

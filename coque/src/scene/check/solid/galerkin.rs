@@ -143,6 +143,10 @@ fn check_yielding(plastic: &Plastic, galerkin: &Galerkin, s: &Scope<'_>) -> Verd
         let repair = "remove it: a solid yields by von Mises' criterion; a rolled sheet is a shell";
         return refuse("material.plastic.anisotropy", "Hill's criterion", "none of a solid", repair);
     }
+    if !plastic.back_stresses.is_empty() {
+        let repair = "use `kinematic`, linear hardening; a shell has back stresses that recover";
+        return refuse("material.plastic.back-stresses", "back stresses", "none of a solid", repair);
+    }
     if plastic.rate.is_some() {
         let repair = "remove it: a solid without bonds is computed at rest, where rates do nothing; a shell in time has it";
         return refuse("material.plastic.rate", "a law of rates", "none of a solid", repair);
