@@ -1,7 +1,7 @@
 //! Energies of a point that yields, by volume: what is stored, and what is dissipated.
 
-use super::recovery::Backs;
-use super::return_map::{Committed, Point, PointLaw};
+use super::point::{Backs, Committed, Point};
+use super::return_map::PointLaw;
 use crate::pack::Number;
 
 impl PointLaw {

@@ -2,16 +2,12 @@
 
 use super::functions::three;
 use super::modes::Modes;
-use super::recovery::MOST_BACK_STRESSES;
-use super::return_map::{Committed, Pace, PointLaw};
+use super::point::{Committed, MOST_BACK_STRESSES, OF_SLICE, Pace};
+use super::return_map::PointLaw;
 use super::slices::Slice;
 use super::thickness::Lever;
 use crate::pack::Number;
 use crate::strains::Strains;
-
-/// Numbers of a history that each slice has: three plastic strains in the coordinates of [`super::modes`], then α; behind them three of each back stress that recovers, and
-/// the overstress where rates count.
-pub(super) const OF_SLICE: usize = 4;
 
 /// One ply with its points.
 #[derive(Clone, Debug)]

@@ -1,8 +1,9 @@
 //! What is met at the points of a section: by the law, by elasticity alone, or by a commit that writes what becomes of them.
 
 use super::functions::three;
-use super::layer::{Layer, OF_SLICE};
-use super::return_map::{Pace, Point, PointLaw};
+use super::layer::Layer;
+use super::point::{OF_SLICE, Pace, Point};
+use super::return_map::PointLaw;
 use super::slices::Slice;
 use crate::pack::{Number, Pack};
 

@@ -8,6 +8,7 @@ mod layer;
 mod met;
 mod modes;
 mod ply;
+mod point;
 mod rate;
 mod recovery;
 mod return_map;
@@ -22,8 +23,9 @@ mod thickness;
 pub use hardening::Hardening;
 pub use hill::RValues;
 pub use ply::{Plastic, PlasticPly, PlyMaterial};
+pub use point::{BackStress, MOST_BACK_STRESSES};
 pub use rate::Rate;
-pub use recovery::{BackStress, MOST_BACK_STRESSES};
+
 pub use rubber::Rubber;
 pub use rubber_section::RubberSection;
 pub use section::PlasticSection;

@@ -2,10 +2,11 @@
 
 use super::hardening::{Hardening, not_negative};
 use super::hill::RValues;
-use super::layer::{Layer, OF_SLICE};
+use super::layer::Layer;
 use super::modes::Modes;
+use super::point::OF_SLICE;
+use super::point::{BackStress, MOST_BACK_STRESSES};
 use super::rate::Rate;
-use super::recovery::{BackStress, MOST_BACK_STRESSES};
 use super::return_map::PointLaw;
 use super::slices::slices;
 use crate::layered_section::{Orthotropic, Ply};

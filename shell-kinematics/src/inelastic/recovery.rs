@@ -15,44 +15,14 @@
 //! symmetric half stands for it.
 
 use super::functions::{above_zero, three};
-use super::hardening::{Yield, not_negative, positive};
+use super::hardening::Yield;
+use super::point::{BackStress, Backs, Pace, Point};
 use super::rate::Rate;
-use super::return_map::{ON_THE_SURFACE, Pace, Point, PointLaw, RATED_STEPS};
+use super::return_map::{ON_THE_SURFACE, PointLaw, RATED_STEPS};
 use crate::pack::{Arithmetic, Number, Pack};
-use crate::section::MaterialError;
 
-/// The most back stresses that recover.
-pub const MOST_BACK_STRESSES: usize = 3;
 /// Newton's steps behind the first; four reach the surface to rounding.
 const STEPS: usize = 5;
-
-/// A back stress that recovers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BackStress {
-    modulus: f64,
-    recovery: f64,
-}
-
-impl BackStress {
-    /// One that grows by H \[F/L²\] a plastic strain at first, in uniaxial tension, and nears H/g with the rate g \[–\].
-    ///
-    /// # Errors
-    /// [`MaterialError::Constant`] unless `H > 0` and `g ≥ 0`, both finite.
-    pub fn new(modulus: f64, recovery: f64) -> Result<Self, MaterialError> {
-        Ok(Self {
-            modulus: positive("the modulus of a back stress", modulus)?,
-            recovery: not_negative("the recovery of a back stress", recovery)?,
-        })
-    }
-
-    /// ⅔H \[F/L²\].
-    fn own(&self) -> f64 {
-        self.modulus * 2.0 / 3.0
-    }
-}
-
-/// Back stresses of a point, in the coordinates of its modes; those beyond the number of the law are zero.
-pub(super) type Backs<P> = [[P; 3]; MOST_BACK_STRESSES];
 
 /// A step under way: the trial stress without back stresses that recover, and these.
 struct Step<'a, P> {
@@ -301,6 +271,7 @@ mod tests {
     use super::*;
     use crate::inelastic::hardening::Hardening;
     use crate::inelastic::modes::Modes;
+    use crate::inelastic::point::MOST_BACK_STRESSES;
     use crate::section::Isotropic;
 
     /// `rK/f − 1` at random points, at once from strains of a yield strain to a thousand of them, with one to three back stresses far from their ends and beyond.

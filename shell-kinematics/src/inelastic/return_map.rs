@@ -24,10 +24,9 @@
 
 use super::functions::{above_zero, three};
 use super::hardening::{Hardening, Yield};
-use super::layer::OF_SLICE;
 use super::modes::Modes;
+use super::point::{BackStress, Committed, OF_SLICE, Pace, Point};
 use super::rate::Rate;
-use super::recovery::{BackStress, Backs};
 use crate::pack::{Number, Pack};
 
 /// Newton's steps behind the first.
@@ -59,47 +58,6 @@ pub(super) struct PointLaw {
     pub(super) rate: Option<Rate>,
     /// r.
     pub(super) root: f64,
-}
-
-/// How fast a step goes.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Pace<P> {
-    /// So slowly that rates do nothing.
-    Slow,
-    /// Outside of time, with an overstress that stays what it is \[–\].
-    Held(P),
-    /// In so much time \[T\].
-    Lasting(f64),
-}
-
-/// What a point was committed as.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Committed<P> {
-    /// e_p.
-    pub plastic: [P; 3],
-    /// Equivalent plastic strain.
-    pub alpha: P,
-    /// Back stresses that recover.
-    pub backs: Backs<P>,
-}
-
-/// What a step makes of a point.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Point<P> {
-    /// Elastic strain, or stress: x.
-    pub stress: [P; 3],
-    /// e_p.
-    pub plastic: [P; 3],
-    /// Equivalent plastic strain.
-    pub alpha: P,
-    /// γ, zero where nothing flows \[L²/F\].
-    pub gamma: P,
-    /// ξ.
-    pub over: [P; 3],
-    /// One where the tangent is that of flow: on the surface at least.
-    pub on_surface: P,
-    /// s, by which the yield stress exceeds that of slow flow \[–\].
-    pub overstress: P,
 }
 
 /// γ and f(γ) of one equation, and its s.
