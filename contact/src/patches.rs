@@ -177,7 +177,8 @@ impl<'a> Spread<'a> {
             boxed.sort_unstable();
             boxed
         };
-        let (own, others) = (boxed(&self.spans), boxed(&other.spans));
+        let own = boxed(&self.spans);
+        let others = if std::ptr::eq(self, other) { own.clone() } else { boxed(&other.spans) };
         let sorted: Vec<Span> = others.iter().map(|&(_, patch)| other.spans[patch as usize]).collect();
         let mut columns: [std::ops::Range<usize>; 9] = std::array::from_fn(|_| 0..0);
         let (mut near, square) = (Vec::new(), reach * reach);
