@@ -45,13 +45,30 @@ pub(crate) fn of_edges(distance: f64, both_rims: bool) -> f64 {
     if both_rims { distance } else { 0.5 * distance }
 }
 
-/// Whether the lines of two edges may be within a distance \[L\] of each other: edges are no nearer than these, so most that are far need no more.
-pub(crate) fn near_lines([a, b]: [Vec3; 2], [c, d]: [Vec3; 2], within: f64) -> bool {
-    let (e, f) = (b - a, d - c);
-    let across = e.cross(&f);
-    let (square, way) = (across.norm_squared(), across.dot(&(a - c)));
-    way * way <= (1.0 + CLEARLY) * within * within * square
-        || square < CLEARLY * e.norm_squared() * f.norm_squared()
+/// The line through an edge, to be looked at with many others.
+pub(crate) struct Line {
+    start: Vec3,
+    along: Vec3,
+    /// Part of the square of its length \[L²\].
+    part: f64,
+}
+
+impl Line {
+    /// The line from one place to another.
+    #[inline]
+    pub fn through([a, b]: [Vec3; 2]) -> Self {
+        let along = b - a;
+        Self { start: a, along, part: CLEARLY * along.norm_squared() }
+    }
+
+    /// Whether that of another edge may be within a distance \[L\]: edges are no nearer than their lines, so most that are far need no more.
+    #[inline]
+    pub fn is_near(&self, [c, d]: [Vec3; 2], within: f64) -> bool {
+        let other = d - c;
+        let across = self.along.cross(&other);
+        let (square, way) = (across.norm_squared(), across.dot(&(self.start - c)));
+        way * way <= (1.0 + CLEARLY) * within * within * square || square < self.part * other.norm_squared()
+    }
 }
 
 /// Two edges of a stiffness \[F/L\] within a distance \[L\] of each other, with the product of the squares of their lengths at rest; none where they do not push.

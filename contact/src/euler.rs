@@ -15,7 +15,7 @@ use sph_core::Vec3;
 use crate::mesh::Mesh;
 use crate::nearest::{Part, on_segment, on_triangle};
 
-/// Near faces whose parts are counted without sorting them.
+/// Near faces whose parts are counted by looking through them: more are put in order first.
 const FEW: usize = 8;
 
 /// A part of a surface, by its number.
@@ -57,8 +57,8 @@ impl Touched {
             let corners = mesh.faces()[face as usize];
             let (part, square) = on_triangle(point, corners.map(&at));
             if square < reach {
-                self.terms.push((Self::of_face(mesh, face, part), 1));
                 self.near.push(face);
+                self.put(Self::of_face(mesh, face, part), 1);
             }
         }
         // Edges and corners of one face count nothing beside it; particles without faces share none.
@@ -70,15 +70,30 @@ impl Touched {
             [one, other] => self.share(mesh, [one, other], point, reach, &at),
             _ => self.share_all(mesh, point, reach, &at),
         }
-        self.terms.sort_unstable();
-        self.terms.dedup_by(|next, kept| {
-            let same = next.0 == kept.0;
-            if same {
-                kept.1 += next.1;
-            }
-            same
-        });
+        if self.near.len() > FEW {
+            self.terms.sort_unstable();
+            self.terms.dedup_by(|next, kept| {
+                let same = next.0 == kept.0;
+                if same {
+                    kept.1 += next.1;
+                }
+                same
+            });
+        }
         self.terms.retain(|(_, coefficient)| *coefficient != 0);
+        if self.terms.len() > 1 {
+            self.terms.sort_unstable();
+        }
+    }
+
+    /// Adds a feature of a near face, or what else counts of it; among few faces to what it has already.
+    #[inline]
+    fn put(&mut self, feature: Feature, coefficient: i32) {
+        let few = self.near.len() <= FEW;
+        match self.terms.iter_mut().find(|(own, _)| few && *own == feature) {
+            Some((_, count)) => *count += coefficient,
+            None => self.terms.push((feature, coefficient)),
+        }
     }
 
     /// Adds what counts of an edge or a corner that two faces share, if it is near.
@@ -101,7 +116,7 @@ impl Touched {
         let others = mesh.faces()[other as usize];
         let shared = mesh.faces()[one as usize].into_iter().find(|corner| others.contains(corner));
         if let Some(vertex) = shared.filter(|&vertex| (point - at(vertex)).norm_squared() < reach) {
-            self.terms.push((Feature::Vertex(vertex), -1));
+            self.put(Feature::Vertex(vertex), -1);
         }
     }
 
@@ -122,7 +137,7 @@ impl Touched {
                 Part::Corner(i) => Feature::Vertex(ends[i]),
                 _ => Feature::Edge(edge),
             };
-            self.terms.push((feature, coefficient));
+            self.put(feature, coefficient);
         }
     }
 
@@ -133,14 +148,15 @@ impl Touched {
         for &(edge, faces) in edges.iter().filter(|(_, faces)| *faces != 1) {
             self.add_edge(mesh, edge, 1 - faces, point, reach, at);
         }
-        for &(vertex, faces) in &self.corners {
+        let corners = std::mem::take(&mut self.corners);
+        for &(vertex, faces) in &corners {
             let own = edges.iter().filter(|(edge, _)| mesh.edges()[*edge as usize].contains(&vertex));
             let coefficient = 1 - faces - own.map(|(_, faces)| 1 - faces).sum::<i32>();
             if coefficient != 0 && (point - at(vertex)).norm_squared() < reach {
-                self.terms.push((Feature::Vertex(vertex), coefficient));
+                self.put(Feature::Vertex(vertex), coefficient);
             }
         }
-        self.edges = edges;
+        (self.edges, self.corners) = (edges, corners);
     }
 
     fn of_face(mesh: &Mesh, face: u32, part: Part) -> Feature {

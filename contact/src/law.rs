@@ -44,6 +44,7 @@ impl Law {
     }
 
     /// φ, its first and its second derivative at a relative depth \[–\].
+    #[inline]
     pub fn at(&self, depth: f64) -> [f64; 3] {
         if depth <= 0.0 {
             return [0.0; 3];

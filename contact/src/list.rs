@@ -1,6 +1,6 @@
 //! What may touch while nothing has moved far: faces near each vertex, edges near each edge, with their gaps.
 
-use crate::edges::{near_lines, of_edges};
+use crate::edges::{Line, of_edges};
 use crate::nearest::{of_segments, on_triangle};
 use crate::patches::{Marks, Span, Spread};
 
@@ -81,7 +81,7 @@ impl List {
         for &edge in own.patches.edges(patch) {
             let numbers = own.mesh.edges()[edge as usize];
             let [a, b] = ends(own, numbers);
-            let here = Span::about([a, b]);
+            let (here, line) = (Span::about([a, b]), Line::through([a, b]));
             marks.put(&numbers);
             found.clear();
             let rim = own.mesh.is_rim(edge as usize);
@@ -94,7 +94,7 @@ impl List {
                     let (reach, [c, d]) = (distance + range.skin, ends(other, numbers));
                     if marks.any(&numbers)
                         || !here.is_near(&Span::about([c, d]), reach * reach)
-                        || !near_lines([a, b], [c, d], reach)
+                        || !line.is_near([c, d], reach)
                     {
                         continue;
                     }

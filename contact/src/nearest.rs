@@ -29,7 +29,7 @@ pub(crate) fn on_segment(p: &Vec3, [a, b]: [Vec3; 2]) -> (Part, f64) {
 }
 
 /// The same of a triangle: regions of Voronoi \[ericson2005\].
-#[inline]
+#[inline(always)]
 pub(crate) fn on_triangle(p: &Vec3, [a, b, c]: [Vec3; 3]) -> (Part, f64) {
     let (e, f) = (b - a, c - a);
     let to_a = p - a;

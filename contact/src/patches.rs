@@ -93,6 +93,18 @@ impl Patches {
     }
 }
 
+/// The lesser of two, in one instruction: what is no number is not looked after.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two.
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
 /// What lies within two corners along the axes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span {
@@ -105,13 +117,16 @@ impl Span {
     #[inline]
     pub fn about(places: impl IntoIterator<Item = Vec3>) -> Self {
         let none = Self { low: Vec3::repeat(f64::INFINITY), high: Vec3::repeat(f64::NEG_INFINITY) };
-        places.into_iter().fold(none, |own, x| Self { low: own.low.inf(&x), high: own.high.sup(&x) })
+        places.into_iter().fold(none, |Self { low, high }, x| Self {
+            low: Vec3::new(lesser(x.x, low.x), lesser(x.y, low.y), lesser(x.z, low.z)),
+            high: Vec3::new(greater(x.x, high.x), greater(x.y, high.y), greater(x.z, high.z)),
+        })
     }
 
     /// Whether another is no farther away than a distance \[L\], whose square is given.
     #[inline]
     pub fn is_near(&self, other: &Self, square: f64) -> bool {
-        let gap = |k: usize| (other.low[k] - self.high[k]).max(self.low[k] - other.high[k]).max(0.0);
+        let gap = |k: usize| greater(greater(other.low[k] - self.high[k], self.low[k] - other.high[k]), 0.0);
         let [x, y, z] = [gap(0), gap(1), gap(2)];
         x * x + y * y + z * z <= square
     }
@@ -162,7 +177,8 @@ impl<'a> Spread<'a> {
             boxed.sort_unstable();
             boxed
         };
-        let (own, others) = (boxed(&self.spans), boxed(&other.spans));
+        let own = boxed(&self.spans);
+        let others = if std::ptr::eq(self, other) { own.clone() } else { boxed(&other.spans) };
         let sorted: Vec<Span> = others.iter().map(|&(_, patch)| other.spans[patch as usize]).collect();
         let mut columns: [std::ops::Range<usize>; 9] = std::array::from_fn(|_| 0..0);
         let (mut near, square) = (Vec::new(), reach * reach);
@@ -208,8 +224,9 @@ impl<'a> Marks<'a> {
     /// Marks what lies near some vertices, and nothing else.
     pub fn put(&mut self, vertices: &[u32]) {
         self.now += 1;
-        for vertex in self.near.iter().flat_map(|near| vertices.iter().flat_map(|&v| near.of(v))) {
-            self.marks[*vertex as usize] = self.now;
+        let Some(near) = self.near else { return };
+        for &vertex in vertices {
+            near.of(vertex).iter().for_each(|&near| self.marks[near as usize] = self.now);
         }
     }
 

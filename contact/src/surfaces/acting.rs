@@ -11,7 +11,10 @@ impl SurfaceContact {
     pub fn forces(&self, mut add: impl FnMut(Node, Vec3)) {
         for contact in &self.contacts {
             let force = contact.pair.normal * -contact.slope;
-            self.each_node(contact, |node, weight| add(node, force * weight));
+            self.each_place(contact, |place, body, nodes, share| {
+                let part = force * (contact.pair.weights[place] * share);
+                nodes.iter().for_each(|&a| add((body, a), part));
+            });
         }
         for pushed in &self.pushed {
             self.each_end(pushed, |node, share, end| add(node, pushed.crossing.forces[end] * share));
@@ -139,10 +142,12 @@ impl SurfaceContact {
 
     /// Hands two places of a contact, a node of each and the product of the shares that these have to `each`, for every two.
     pub(super) fn each_pair(&self, contact: &Contact, mut each: impl FnMut([usize; 2], Node, Node, f64)) {
-        self.each_place(contact, |a, of_a, share_a| {
-            self.each_place(contact, |b, of_b, share_b| {
+        self.each_place(contact, |a, body, of_a, share_a| {
+            self.each_place(contact, |b, other, of_b, share_b| {
                 let share = share_a * share_b;
-                of_a.iter().for_each(|&node| of_b.iter().for_each(|&to| each([a, b], node, to, share)));
+                for &node in of_a {
+                    of_b.iter().for_each(|&to| each([a, b], (body, node), (other, to), share));
+                }
             });
         });
     }
@@ -156,27 +161,25 @@ impl SurfaceContact {
         }
     }
 
-    /// Hands each place of a contact with its nodes, and the share that a node has in it, to `each`.
+    /// Hands each place of a contact with its body, its nodes and the share that a node has in it to `each`.
     #[inline]
-    pub(super) fn each_place(&self, contact: &Contact, mut each: impl FnMut(usize, &[Node], f64)) {
+    pub(super) fn each_place(&self, contact: &Contact, mut each: impl FnMut(usize, usize, &[u32], f64)) {
         let pass = &self.passes[contact.pass];
         let (corners, count) = corners_of(&self.meshes[pass.on], contact.feature);
-        let mut hand = |place: usize, body: usize, vertex: u32| {
-            let own = &self.meshes[body].surface().vertices()[vertex as usize];
-            match own.nodes() {
-                &[a] => each(place, &[(body, a)], 1.0),
-                _ => each(place, &own.corners().map(|a| (body, a)), own.share()),
-            }
-        };
-        hand(0, pass.of, contact.vertex);
-        corners[..count].iter().enumerate().for_each(|(i, &corner)| hand(i + 1, pass.on, corner));
+        let [of, on] = [pass.of, pass.on].map(|body| self.meshes[body].surface().vertices());
+        let [a, b, c] = corners;
+        let places = [(pass.of, of, contact.vertex), (pass.on, on, a), (pass.on, on, b), (pass.on, on, c)];
+        for (place, &(body, vertices, vertex)) in places[..=count].iter().enumerate() {
+            let vertex = &vertices[vertex as usize];
+            each(place, body, vertex.nodes(), vertex.share());
+        }
     }
 
     /// Hands each node of a contact with its weight in the distance to `each`.
     #[inline]
     fn each_node(&self, contact: &Contact, mut each: impl FnMut(Node, f64)) {
-        self.each_place(contact, |place, nodes, share| {
-            nodes.iter().for_each(|&node| each(node, contact.pair.weights[place] * share));
+        self.each_place(contact, |place, body, nodes, share| {
+            nodes.iter().for_each(|&a| each((body, a), contact.pair.weights[place] * share));
         });
     }
 

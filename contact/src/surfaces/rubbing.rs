@@ -300,12 +300,12 @@ impl SurfaceContact {
             let Rub { stiffness, r, stretch, .. } = *rub;
             let contact = &self.contacts[rub.contact];
             let at_foot = contact.pair.normal * contact.pair.distance;
-            self.each_place(contact, |place, nodes, share| {
+            self.each_place(contact, |place, body, nodes, share| {
                 let force = match place {
                     0 => stretch * -stiffness,
                     _ => at_foot * (stiffness * contact.pair.weights[place]),
                 } * share;
-                nodes.iter().for_each(|&node| add(node, force));
+                nodes.iter().for_each(|&a| add((body, a), force));
             });
             let [u, v] = rub.grip.anchor;
             self.each_corner(rub.grip.of.0, rub.grip.face, |corner, node, share| {
