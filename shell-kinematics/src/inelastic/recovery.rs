@@ -118,7 +118,7 @@ impl<P: Number> Step<'_, P> {
             let (at, now) = self.at_overstress(rate, duration, s);
             s = (s + self.newton(&at, &now)).max(zero);
         }
-        let fast = above_zero(of_slow);
+        let fast = above_zero(of_slow) * above_zero(slow);
         [slow + (rate.flow(s, duration)[0] - slow) * fast, s * fast]
     }
 

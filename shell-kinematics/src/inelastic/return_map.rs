@@ -303,8 +303,8 @@ impl PointLaw {
             let per = (slope * sums.square + stress * sums.weighted * turn) * r;
             s = (s + short * sums.square / per).max(zero);
         }
-        // Where the slow step is slow enough it is the answer.
-        let fast = above_zero(of_slow);
+        // Where the slow step is slow enough it is the answer, and where nothing flows.
+        let fast = above_zero(of_slow) * above_zero(slow.gamma);
         let gamma = slow.gamma + (gamma_at(s).0 - slow.gamma) * fast;
         Root { gamma, size: trial.sums(gamma).square.sqrt(), overstress: s * fast, ..slow }
     }

@@ -1,6 +1,8 @@
 //! Yield stresses that grow with the rate of plastic strain: steps that take time.
 
-use shell_kinematics::{Hardening, Pack, Plastic, PlasticSection, RValues, Rate, Section, Strains};
+use shell_kinematics::{
+    BackStress, Hardening, Pack, Plastic, PlasticSection, RValues, Rate, Section, Strains,
+};
 
 use crate::common::*;
 
@@ -70,6 +72,29 @@ fn six_steps_find_the_overstress_of_the_rate() {
         println!("{name}: {worst:.1e}, s to {most:.1e}");
         // 7e-12 and less; 5e-10 where s is as the rate itself, which rounding of α leaves so much; five steps leave 1e-7.
         assert!(worst < 2e-9, "{name}: {worst:.1e}");
+    }
+}
+
+/// Points that do not flow beside one that does keep every number of their history.
+#[test]
+fn points_that_do_not_flow_are_left_alone() {
+    let back = BackStress::new(3000.0, 40.0).unwrap();
+    for (name, rate) in rates() {
+        for backs in [vec![], vec![back]] {
+            let plain = material(Hardening::linear(YIELD, 0.0).unwrap(), rate);
+            let section = PlasticSection::new(plain.recovering(backs).unwrap(), THICKNESS, 4).unwrap();
+            let mut specimen = Specimen::new(section);
+            let drawn = Pack::new([0.01, 0.001, 0.0, -0.0005]);
+            specimen.commit_in(
+                &Strains { membrane: [drawn, Pack::ZERO, Pack::ZERO], ..Strains::default() },
+                1e-3,
+            );
+            let tallies = specimen.section.tallies(&specimen.history);
+            let (alpha, share) = (tallies.plastic_strain().lanes(), tallies.yielded_share().lanes());
+            assert!(alpha[0] > 1e-3 && alpha[1..] == [0.0; 3], "{name}: {alpha:?}");
+            assert!((share[0] - 1.0).abs() < 1e-15 && share[1..] == [0.0; 3], "{name}: {share:?}");
+            assert_eq!(tallies.dissipated().lanes()[1..], [0.0; 3], "{name}");
+        }
     }
 }
 
