@@ -30,11 +30,25 @@ const ROWS: &[Row] = &[
         ),
     ),
     (
-        &["johnson_cook", "cowper_symonds", "creep"],
-        &["material", "elastic", "orthotropic"],
+        &["johnson_cook", "cowper_symonds", "strain_rate"],
+        &["material", "elastic", "orthotropic", "plastic"],
+        Instead(
+            "a shell in real time has `rate = { cowper-symonds = { reference = 40.0, exponent = 5.0 } }`, or `johnson-cook`, in [material.plastic]",
+        ),
+    ),
+    (
+        &["armstrong_frederick", "chaboche", "backstress", "kinematic_hardening"],
+        &["material", "elastic", "orthotropic", "plastic"],
+        Instead(
+            "[material.plastic] has `kinematic`, linear, and of a shell `back-stresses = [{ modulus = 20000.0, recovery = 100.0 }]`, which recover",
+        ),
+    ),
+    (
+        &["creep"],
+        &["material", "elastic", "orthotropic", "plastic"],
         NotYet {
-            feature: "flow that depends on time",
-            nearest: "[material.plastic] of a shell or a Galerkin solid",
+            feature: "flow that depends on time at rest",
+            nearest: "`rate` in [material.plastic] of a shell in real time",
         },
     ),
     (
@@ -283,12 +297,13 @@ mod tests {
             Some(NotYet { feature, .. }) => feature,
             other => panic!("{word}: {other:?}"),
         };
-        assert_eq!(feature("creep", "material.elastic", &["young"]), "flow that depends on time");
+        assert_eq!(feature("creep", "material.elastic", &["young"]), "flow that depends on time at rest");
         assert!(matches!(
             absent("Plasticity", "bodies.strip.shell.material", &["elastic"]),
             Some(Instead(_))
         ));
         assert!(matches!(absent("yield-stress", "material.elastic", &["young"]), Some(Instead(_))));
+        assert!(matches!(absent("johnson-cook", "material.plastic", &["rate"]), Some(Instead(_))));
         assert_eq!(feature("implicit", "analysis", &["explicit"]), "implicit steps in time");
         assert!(matches!(absent("fixed", "supports[2]", &["clamped"]), Some(Instead(_))));
     }
