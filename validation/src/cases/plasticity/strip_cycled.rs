@@ -45,7 +45,8 @@ pub fn case() -> Case {
 /// Six halves of so many levels.
 fn halves(count: u32, grid: &str) -> Variant {
     let up = |i: u32| f64::from(i) / f64::from(count);
-    let half = |half: u32| (1..=count).map(move |i| if half.is_multiple_of(2) { up(i) } else { up(count - i) });
+    let half =
+        |half: u32| (1..=count).map(move |i| if half.is_multiple_of(2) { up(i) } else { up(count - i) });
     let levels: Vec<f64> = (0..6).flat_map(half).collect();
     Variant::scene(STATIC, SCENE, grid).set("analysis.static.levels", format!("{levels:?}"))
 }
