@@ -79,6 +79,25 @@ fn what_hardly_feels_rates_is_slow() {
     assert!(apart < 1e-14, "{apart:.1e}");
 }
 
+/// Half of the struck ring is two quarters.
+#[test]
+fn half_of_the_ring_is_two_quarters() {
+    let half: Replaced =
+        &[("geometry.cylinder.angles", "[0.0, 180.0]"), ("geometry.cylinder.particles", "[49, 3]")];
+    let upright =
+        text("ring-struck.toml").replacen("normal = [0.0, 0.0, 1.0]", "normal = [1.0, 0.0, 0.0]", 1);
+    let scene = overridden(&upright, "../scenes/ring-struck.toml", half).unwrap();
+    let whole = scene.build(1).unwrap().run(&mut coque::Silent);
+    let quarter = done("ring-struck.toml", &[]);
+    for (name, times) in [("plastic", 1.0), ("lost", 2.0), ("internal", 2.0)] {
+        let (one, two) = (column(&quarter, name), column(&whole, name));
+        let most = two.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let apart = one.iter().zip(&two).map(|(one, two)| (times * one - two).abs()).fold(0.0, f64::max);
+        println!("{name}: {:.1e}", apart / most);
+        assert!(apart < 1e-9 * most && most > 0.0, "{name}: {:.1e}", apart / most);
+    }
+}
+
 #[test]
 fn rates_go_on_to_the_same_bits_for_any_threads() {
     let short = [("analysis.explicit.transient.duration", "0.005"), (RATE, COWPER)];

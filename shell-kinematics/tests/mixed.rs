@@ -5,8 +5,8 @@
 use std::sync::Arc;
 
 use shell_kinematics::{
-    Hardening, HistoryPack, Isotropic, IsotropicSection, LANES, MixedSection, Pack, Plastic, PlasticPly,
-    PlasticSection, PlyMaterial, Resultants, Rubber, RubberSection, Section, Strains,
+    BackStress, Hardening, HistoryPack, Isotropic, IsotropicSection, LANES, MixedSection, Pack, Plastic,
+    PlasticPly, PlasticSection, PlyMaterial, Rate, Resultants, Rubber, RubberSection, Section, Strains,
 };
 
 fn elastic() -> Isotropic {
@@ -15,6 +15,12 @@ fn elastic() -> Isotropic {
 
 fn plastic(stress: f64) -> Plastic {
     Plastic::new(elastic(), Hardening::linear(stress, 5.0).unwrap())
+}
+
+/// With a back stress that recovers and a yield stress that grows with the rate.
+fn in_time(material: Plastic) -> Plastic {
+    let rate = Rate::cowper_symonds(40.0, 5.0).unwrap();
+    material.recovering(vec![BackStress::new(3.0, 20.0).unwrap()]).unwrap().rated(rate)
 }
 
 /// Strains of the points on a way, as large as several times what flows.
@@ -40,7 +46,7 @@ fn each_point_answers_as_in_a_pack_of_its_own() {
         Arc::new(PlasticSection::new(plastic(0.1), 0.5, 6).unwrap()),
         Arc::new(IsotropicSection::new(elastic(), 0.3).unwrap()),
         Arc::new(RubberSection::new(Rubber::neo_hooke(0.5).unwrap(), 0.2).unwrap()),
-        Arc::new(PlasticSection::new(plastic(0.3), 0.4, 4).unwrap()),
+        Arc::new(PlasticSection::new(in_time(plastic(0.3)), 0.4, 4).unwrap()),
     ];
     let mut mixed = HistoryPack::new(Arc::new(MixedSection::new(sections.clone(), [0.0; LANES])));
     let mut alone = sections.map(HistoryPack::new);
@@ -57,8 +63,8 @@ fn each_point_answers_as_in_a_pack_of_its_own() {
             }
             assert_eq!(energy[lane], own.energy(&now).lanes()[lane]);
         }
-        mixed.commit(&now);
-        alone.iter_mut().for_each(|own| own.commit(&now));
+        mixed.commit_in(&now, 1e-3);
+        alone.iter_mut().for_each(|own| own.commit_in(&now, 1e-3));
         let shares = mixed.kept_share().lanes();
         for (lane, own) in alone.iter().enumerate() {
             assert_eq!(shares[lane], own.kept_share().lanes()[lane]);

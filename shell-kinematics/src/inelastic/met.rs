@@ -22,9 +22,7 @@ impl<P: Number, R: Fn(usize) -> P> Met<P> for Flowing<R> {
     #[inline(always)]
     fn stress(&mut self, layer: &Layer, _: &Slice, place: usize, strain: &[P; 3]) -> [P; 3] {
         match &layer.law {
-            Some(law) if !law.loses_more() => {
-                law.step_without(strain, &Layer::plain(&self.read, place), Pace::Slow).stress
-            }
+            Some(law) if !law.loses_more() => law.plain_step(strain, &Layer::plain(&self.read, place)).stress,
             Some(law) => {
                 let before = layer.committed(law, &self.read, place);
                 law.step(strain, &before, layer.pace(law, &self.read, place)).stress
@@ -75,7 +73,7 @@ impl<P: Number, R: Fn(usize) -> P, W: FnMut(usize, P)> Met<P> for Committing<'_,
         let point = if law.loses_more() {
             self.more(layer, law, slice, place, strain)
         } else {
-            law.step_without(strain, &Layer::plain(&self.read, place), Pace::Slow)
+            law.plain_step(strain, &Layer::plain(&self.read, place))
         };
         for i in 0..3 {
             (self.write)(place + i, point.plastic[i]);

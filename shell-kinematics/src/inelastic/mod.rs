@@ -1,6 +1,7 @@
 //! Sections that yield, by plane-stress plasticity at points through the thickness, and sections of rubber.
 
 mod energies;
+mod flow_step;
 mod functions;
 mod hardening;
 mod hill;
@@ -10,7 +11,6 @@ mod modes;
 mod ply;
 mod point;
 mod rate;
-mod recovery;
 mod return_map;
 mod rubber;
 mod rubber_section;

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! A step that takes the time Δt has `ε̇ = Δα/Δt`. Solved for s, with `Δα = Δt ε̇(s)`, its equation is convex and has no infinite slope where the flow begins
-//! (inelastic/return_map.rs).
+//! (inelastic/flow_step.rs).
 
 use super::functions::{exp, ln};
 use super::hardening::positive;

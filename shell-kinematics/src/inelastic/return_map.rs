@@ -18,9 +18,7 @@
 //! strains of one at once, for curves of steel and aluminium; one that saturates within a strain of .001 is off by 9e-8 there, by 5e-13 over strains of .001.
 //! \[simo1998\], §3.4, has the step and its tangent.
 //!
-//! Where the yield stress grows with the rate ([`super::rate`]) a step of the duration Δt solves the same equation with `Y = (1 + s) K(α + Δα)`, `Δα = Δt ε̇(s)` and
-//! `γ = Δα/r²Y`, the unknown s: `r Y/f − 1` is convex in it. From the lesser of two bounds, the s of a step without flow, f(0)/rK − 1, and that of the flow which the step
-//! would have without overstress, Newton's steps fall to the root. Outside a commit no time passes, and s stays what the last one found.
+//! Laws whose yield stress grows with the rate, or whose back stresses recover, go another way: [`super::flow_step`].
 
 use super::functions::{above_zero, three};
 use super::hardening::{Hardening, Yield};
@@ -31,8 +29,6 @@ use crate::pack::{Number, Pack};
 
 /// Newton's steps behind the first.
 const STEPS: usize = 3;
-/// Newton's steps for the overstress.
-pub(super) const RATED_STEPS: usize = 6;
 /// Points within this share of the yield stress below the surface stand on it, with the tangent of flow.
 pub(super) const ON_THE_SURFACE: f64 = 1e-9;
 
@@ -60,28 +56,11 @@ pub(super) struct PointLaw {
     pub(super) root: f64,
 }
 
-/// γ and f(γ) of one equation, and its s.
+/// γ and f(γ) of one equation.
 struct Root<P> {
     gamma: P,
     size: P,
     on_surface: P,
-    overstress: P,
-}
-
-/// Terms A_i of a trial stress and rates a_i, at a committed α.
-struct Trial<'a, P, const N: usize> {
-    terms: &'a [P; N],
-    rates: &'a [f64; N],
-    alpha: P,
-    /// Keeps a point without stress from dividing zero by zero; of the size of rounding squared.
-    tiny: P,
-}
-
-impl<P: Number, const N: usize> Trial<'_, P, N> {
-    #[inline(always)]
-    fn sums(&self, gamma: P) -> Sums<P> {
-        Sums::at(self.terms, self.rates, gamma, self.tiny)
-    }
 }
 
 /// f², G and F.
@@ -154,16 +133,6 @@ impl PointLaw {
         self.rate.is_some()
     }
 
-    /// Yield stress and slope of slow flow, or with an overstress.
-    #[inline(always)]
-    pub(super) fn yields<P: Number>(&self, alpha: P, overstress: Option<P>) -> Yield<P> {
-        let slow = self.hardening.at(alpha);
-        match overstress {
-            None => slow,
-            Some(s) => Yield { stress: slow.stress + slow.stress * s, slope: slow.slope + slow.slope * s },
-        }
-    }
-
     /// ξ of a point that stays as it is.
     #[inline(always)]
     fn over<P: Number>(&self, stress: &[P; 3], plastic: &[P; 3]) -> [P; 3] {
@@ -173,26 +142,21 @@ impl PointLaw {
         three(|i| stress[i] - plastic[i] * (self.kinematic / self.yielding[i]))
     }
 
-    /// The step to a strain e from a committed point.
+    /// The step to a strain e from a committed point, by any law.
     #[inline(always)]
     pub fn step<P: Number>(&self, strain: &[P; 3], committed: &Committed<P>, pace: Pace<P>) -> Point<P> {
-        let Committed { plastic: [p0, p1, p2], alpha, backs } = *committed;
-        if self.backs.is_empty() {
-            return self.step_without(strain, &[p0, p1, p2, alpha], pace);
+        if self.loses_more {
+            let stress = three(|i| strain[i] - committed.plastic[i]);
+            let over = self.over(&stress, &committed.plastic);
+            return self.flow_step(&stress, &over, committed, pace);
         }
-        let stress = three(|i| strain[i] - committed.plastic[i]);
-        let over = self.over(&stress, &committed.plastic);
-        self.recovering_step((stress, committed.plastic, over), alpha, &backs, pace)
+        let [p0, p1, p2] = committed.plastic;
+        self.plain_step(strain, &[p0, p1, p2, committed.alpha])
     }
 
-    /// The same of a law without back stresses that recover, from e_p and α.
+    /// The same by a law without rates and back stresses that recover, from e_p and α.
     #[inline(always)]
-    pub fn step_without<P: Number>(
-        &self,
-        strain: &[P; 3],
-        committed: &[P; OF_SLICE],
-        pace: Pace<P>,
-    ) -> Point<P> {
+    pub fn plain_step<P: Number>(&self, strain: &[P; 3], committed: &[P; OF_SLICE]) -> Point<P> {
         let [p0, p1, p2, alpha] = *committed;
         let plastic = [p0, p1, p2];
         let stress = three(|i| strain[i] - plastic[i]);
@@ -201,14 +165,13 @@ impl PointLaw {
         let [p, q, s] = self.yielding;
         let [a, b, c] = [p + self.kinematic, q + self.kinematic, s + self.kinematic];
         let root = if self.pair {
-            self.solve(&[square(0), square(1) + square(2)], &[a, b], alpha, pace)
+            self.solve(&[square(0), square(1) + square(2)], &[a, b], alpha)
         } else {
-            self.solve(&[square(0), square(1), square(2)], &[a, b, c], alpha, pace)
+            self.solve(&[square(0), square(1), square(2)], &[a, b, c], alpha)
         };
-        let Some(Root { gamma, size, on_surface, overstress }) = root else {
-            let zero = alpha.all(0.0);
-            let overstress = if let Pace::Held(s) = pace { s } else { zero };
-            return Point { stress, plastic, alpha, gamma: zero, over, on_surface: zero, overstress };
+        let zero = alpha.all(0.0);
+        let Some(Root { gamma, size, on_surface }) = root else {
+            return Point { stress, plastic, alpha, gamma: zero, over, on_surface: zero, overstress: zero };
         };
         let one = alpha.all(1.0);
         let over = three(|i| over[i] / (one + gamma * [a, b, c][i]));
@@ -220,7 +183,7 @@ impl PointLaw {
             gamma,
             over,
             on_surface,
-            overstress,
+            overstress: zero,
         }
     }
 
@@ -231,13 +194,12 @@ impl PointLaw {
         terms: &[P; N],
         rates: &[f64; N],
         alpha: P,
-        pace: Pace<P>,
     ) -> Option<Root<P>> {
         let zero = alpha.all(0.0);
         let r = self.root;
-        let held = if let Pace::Held(s) = pace { Some(s) } else { None };
-        let start = self.yields(alpha, held);
+        let start = self.hardening.at(alpha);
         let limit = start.stress * r;
+        // Keeps a point without stress from dividing zero by zero; of the size of rounding squared.
         let tiny = limit * limit * 1e-32;
         let [mut square, mut weighted] = [tiny, tiny * rates[0]];
         for i in 0..N {
@@ -249,64 +211,18 @@ impl PointLaw {
         if beyond.below(0.0) {
             return None;
         }
-        let trial = Trial { terms, rates, alpha, tiny };
         let mut gamma = newton(&Sums { square, own: square, weighted }, size, &start, r).max(zero);
         for _ in 0..STEPS {
-            let sums = trial.sums(gamma);
+            let sums = Sums::at(terms, rates, gamma, tiny);
             let size = sums.square.sqrt();
-            let now = self.yields(alpha + gamma * size * r, held);
+            let now = self.hardening.at(alpha + gamma * size * r);
             gamma = (gamma + newton(&sums, size, &now, r)).max(zero);
         }
-        let slow = Root {
+        Some(Root {
             gamma,
-            size: trial.sums(gamma).square.sqrt(),
+            size: Sums::at(terms, rates, gamma, tiny).square.sqrt(),
             on_surface: above_zero(beyond),
-            overstress: held.unwrap_or(zero),
-        };
-        Some(match (pace, &self.rate) {
-            (Pace::Lasting(duration), Some(rate)) => self.rated(rate, duration, &trial, size, slow),
-            _ => slow,
         })
-    }
-
-    /// The root of a step that takes a time \[T\], from that of a slow one and f(0).
-    #[inline(always)]
-    fn rated<P: Number, const N: usize>(
-        &self,
-        rate: &Rate,
-        duration: f64,
-        trial: &Trial<'_, P, N>,
-        size: P,
-        slow: Root<P>,
-    ) -> Root<P> {
-        let (r, alpha, one) = (self.root, trial.alpha, trial.alpha.all(1.0));
-        let zero = alpha.all(0.0);
-        let without_flow = (size / (self.hardening.at(alpha).stress * r) - one).max(zero);
-        let of_slow = rate.overstress(slow.gamma * slow.size * (r / duration)).max(zero);
-        let mut s = of_slow.min(without_flow);
-        let gamma_at = |s: P| {
-            let [flow, growth] = rate.flow(s, duration);
-            let now = self.yields(alpha + flow, Some(s));
-            let slope = now.stress / (one + s) + now.slope * growth;
-            let part = flow / now.stress;
-            (
-                part * (1.0 / (r * r)),
-                (growth - part * slope) / now.stress * (1.0 / (r * r)),
-                now.stress,
-                slope,
-            )
-        };
-        for _ in 0..RATED_STEPS {
-            let (gamma, turn, stress, slope) = gamma_at(s);
-            let sums = trial.sums(gamma);
-            let short = sums.square.sqrt() - stress * r;
-            let per = (slope * sums.square + stress * sums.weighted * turn) * r;
-            s = (s + short * sums.square / per).max(zero);
-        }
-        // Where the slow step is slow enough it is the answer, and where nothing flows.
-        let fast = above_zero(of_slow) * above_zero(slow.gamma);
-        let gamma = slow.gamma + (gamma_at(s).0 - slow.gamma) * fast;
-        Root { gamma, size: trial.sums(gamma).square.sqrt(), overstress: s * fast, ..slow }
     }
 
     /// `∂x/∂e` of the step, symmetric: 11, 22, 33, 12, 13, 23 of its three coordinates.
@@ -314,11 +230,11 @@ impl PointLaw {
     /// With `θ1 = 1 + ⅔H_kγ`, `θ2 = 1 − ⅔K'γ`, `m_i = 1/(1 + p_iγ/θ1)` and `n_i = m_i p_i ξ_i` it is
     /// `diag m − θ2 n nᵀ/(θ2 Σ n_i p_i ξ_i + ⅔θ1(K'θ1 + H_kθ2) f²)`.
     pub fn tangent(&self, point: &Point<Pack>, committed: &Committed<Pack>) -> [Pack; 6] {
-        if !self.backs.is_empty() {
-            return self.recovering_tangent(point, committed.alpha, &committed.backs);
+        if self.loses_more {
+            return self.flow_tangent(point, committed.alpha, &committed.backs);
         }
         let [zero, one] = [Pack::ZERO, Pack::splat(1.0)];
-        let slope = self.yields(point.alpha, self.rate.map(|_| point.overstress)).slope;
+        let slope = self.hardening.at(point.alpha).slope;
         let theta1 = one + point.gamma * self.kinematic;
         let theta2 = one - slope * point.gamma * (2.0 / 3.0);
         let m = self.yielding.map(|p| theta1 / (theta1 + point.gamma * p));

@@ -70,8 +70,8 @@ fn six_steps_find_the_overstress_of_the_rate() {
             }
         }
         println!("{name}: {worst:.1e}, s to {most:.1e}");
-        // 7e-12 and less; 5e-10 where s is as the rate itself, which rounding of α leaves so much; five steps leave 1e-7.
-        assert!(worst < 2e-9, "{name}: {worst:.1e}");
+        // 7e-12 and less, 3e-11 where s is as the rate itself; five steps leave 1e-7.
+        assert!(worst < 1e-10, "{name}: {worst:.1e}");
     }
 }
 
@@ -124,7 +124,8 @@ fn slow_steps_are_those_without_rates_and_fast_ones_elastic() {
                 let apart = |(i, size): (usize, &f64)| most(of(found)[i] - exact[i]) / size;
                 sizes().iter().enumerate().map(apart).fold(0.0, f64::max)
             };
-            assert_eq!(off(&rest, &exact), 0.0, "{name}");
+            // 6e-16: rounding, since it is solved for the flow.
+            assert!(off(&rest, &exact) < 2e-15, "{name}");
             (slow, fast) = (slow.max(off(&long, &exact)), fast.max(off(&short, &elastic)));
         }
         println!("{name}: slow {slow:.1e}, fast {fast:.1e}");

@@ -1,6 +1,8 @@
 //! Back stresses that recover: Armstrong and Frederick's law, and Chaboche's sum of them.
 
-use shell_kinematics::{BackStress, Hardening, Memory, Pack, Plastic, PlasticSection, Rate, Strains};
+use shell_kinematics::{
+    BackStress, Hardening, Memory, Pack, Plastic, PlasticPly, PlasticSection, PlyMaterial, Rate, Strains,
+};
 
 use crate::common::*;
 
@@ -242,6 +244,33 @@ fn turned_frames_and_mirrors_change_nothing_with_recovery() {
     println!("{worst:.1e}");
     // 3.1e-15: rounding.
     assert!(worst < 1e-14, "{worst:.1e}");
+}
+
+/// A ply at an angle is the same material.
+#[test]
+fn a_turned_ply_is_the_same_with_recovery_and_rate() {
+    let steel = || {
+        let back = BackStress::new(30_000.0, 400.0).unwrap();
+        let plain = Plastic::new(elastic(), Hardening::linear(YIELD, 300.0).unwrap());
+        plain.recovering(vec![back]).unwrap().rated(Rate::cowper_symonds(40.0, 5.0).unwrap())
+    };
+    let ply =
+        |angle: f64| PlasticPly { material: PlyMaterial::Plastic(steel(), 6), thickness: THICKNESS, angle };
+    let of = |angle: f64| PlasticSection::layered(&[ply(angle)]).unwrap();
+    let [mut straight, mut aslant] = [0.0, 0.7].map(|angle| Specimen::new(of(angle)));
+    let mut random = Random(29);
+    let mut worst = 0.0_f64;
+    for _ in 0..60 {
+        let strains = random.strains(0.008, 0.008);
+        straight.commit_in(&strains, 1e-3);
+        aslant.commit_in(&strains, 1e-3);
+        let pairs =
+            forces(&straight.resultants(&strains)).into_iter().zip(forces(&aslant.resultants(&strains)));
+        worst = pairs.zip(sizes()).fold(worst, |worst, ((a, b), size)| worst.max(most(a - b) / size));
+    }
+    println!("{worst:.1e}");
+    // 1.1e-15: rounding.
+    assert!(worst < 4e-15, "{worst:.1e}");
 }
 
 /// Beside a rate: drawn at a constant rate it has both, the overstress and the back stress.

@@ -1,4 +1,4 @@
-//! Back stresses that recover: Armstrong and Frederick's law, several of them side by side as Chaboche has them.
+//! The step of a law whose yield stress grows with the rate, or whose back stresses recover: Armstrong and Frederick's, several of them as Chaboche has them.
 //!
 //! In uniaxial tension a back stress X grows by `dX = H dε_p − g X dα`: from H to nothing as it nears H/g. A step of backward Euler has, in the coordinates of
 //! [`super::modes`],
@@ -8,21 +8,27 @@
 //! ξ_i (1 + (p_i + ⅔H) γ + Σ_k ⅔H_k q_k γ) = ξ_i⁰ − Σ_k q_k b_k,i                f(Δα) = √(Σ p_i ξ_i²) = r Y(α + Δα)
 //! ```
 //!
-//! H the modulus of the linear one beside them, ξ⁰ the trial stress without them. The unknown is Δα, or the overstress where the yield stress grows with the rate;
-//! `r Y/f − 1` is nearly linear in Δα, and Newton's method takes a number of steps that is the same everywhere. [armstrong1966], [chaboche1986].
+//! H the modulus of the linear one beside them, ξ⁰ the trial stress without them. The unknown is Δα; `r Y/f − 1` is nearly linear in it, and Newton's method takes a
+//! number of steps that is the same everywhere. [armstrong1966], [chaboche1986].
+//!
+//! Where the yield stress grows with the rate ([`super::rate`]) a step of the duration Δt has `Y = (1 + s) K(α + Δα)` and `Δα = Δt ε̇(s)`, the unknown s: `r Y/f − 1` is convex in
+//! it. From the lesser of two bounds, the s of a step without flow, f(0)/rK − 1, and that of the flow which the step would have without overstress, Newton's steps fall
+//! to the root. Outside a commit no time passes, and s stays what the last one found.
 //!
 //! Each back stress stores `Σ p_i b_i²/(2·⅔H)` and dissipates `g Δα Σ p_i b_i²/⅔H`. The step has no potential: its tangent is not symmetric, and the
 //! symmetric half stands for it.
 
 use super::functions::{above_zero, three};
 use super::hardening::Yield;
-use super::point::{BackStress, Backs, Pace, Point};
+use super::point::{BackStress, Backs, Committed, Pace, Point};
 use super::rate::Rate;
-use super::return_map::{ON_THE_SURFACE, PointLaw, RATED_STEPS};
+use super::return_map::{ON_THE_SURFACE, PointLaw};
 use crate::pack::{Arithmetic, Number, Pack};
 
 /// Newton's steps behind the first; four reach the surface to rounding.
 const STEPS: usize = 5;
+/// Newton's steps for the overstress; five leave 1e-7.
+const RATED_STEPS: usize = 6;
 
 /// A step under way: the trial stress without back stresses that recover, and these.
 struct Step<'a, P> {
@@ -133,6 +139,16 @@ impl<P: Number> Step<'_, P> {
 }
 
 impl PointLaw {
+    /// Yield stress and slope of slow flow, or with an overstress.
+    #[inline(always)]
+    fn yields<P: Number>(&self, alpha: P, overstress: Option<P>) -> Yield<P> {
+        let slow = self.hardening().at(alpha);
+        match overstress {
+            None => slow,
+            Some(s) => Yield { stress: slow.stress + slow.stress * s, slope: slow.slope + slow.slope * s },
+        }
+    }
+
     /// ξ of a point that stays as it is, its back stresses that recover taken off what is left without them.
     #[inline(always)]
     fn without<P: Number>(&self, over: &[P; 3], backs: &Backs<P>) -> [P; 3] {
@@ -145,20 +161,21 @@ impl PointLaw {
         out
     }
 
-    /// [`PointLaw::step`] of a law with back stresses that recover; `over` is the trial stress less the linear one.
+    /// [`PointLaw::step`] of such a law, from the trial stress and that less the linear back stress.
     #[inline(always)]
-    pub(super) fn recovering_step<P: Number>(
+    pub(super) fn flow_step<P: Number>(
         &self,
-        (stress, plastic, over): ([P; 3], [P; 3], [P; 3]),
-        alpha: P,
-        backs: &Backs<P>,
+        stress: &[P; 3],
+        over: &[P; 3],
+        committed: &Committed<P>,
         pace: Pace<P>,
     ) -> Point<P> {
+        let (stress, over, Committed { plastic, alpha, backs }) = (*stress, *over, *committed);
         let zero = alpha.all(0.0);
         let held = if let Pace::Held(s) = pace { Some(s) } else { None };
         let limit = self.yields(alpha, held).stress * self.root;
         let tiny = limit * limit * 1e-32;
-        let trial = self.without(&over, backs);
+        let trial = self.without(&over, &backs);
         let mut square = tiny;
         for i in 0..3 {
             square += trial[i] * trial[i] * self.yielding[i];
@@ -169,7 +186,7 @@ impl PointLaw {
             let overstress = held.unwrap_or(zero);
             return Point { stress, plastic, alpha, gamma: zero, over: trial, on_surface: zero, overstress };
         }
-        let step = Step { law: self, over, backs, alpha, tiny };
+        let step = Step { law: self, over, backs: &backs, alpha, tiny };
         let slow = step.slow(held);
         let (flow, overstress) = match (pace, &self.rate) {
             (Pace::Lasting(duration), Some(rate)) => {
@@ -228,12 +245,7 @@ impl PointLaw {
     ///
     /// With m_i the share that ξ_i keeps of its trial, `n_i = m_i p_i ξ_i/(f (r Y' − f'))` and primes the growth with Δα it is
     /// `diag(1 − γ p m) − p (γ ξ)' nᵀ`.
-    pub(super) fn recovering_tangent(
-        &self,
-        point: &Point<Pack>,
-        alpha: Pack,
-        backs: &Backs<Pack>,
-    ) -> [Pack; 6] {
+    pub(super) fn flow_tangent(&self, point: &Point<Pack>, alpha: Pack, backs: &Backs<Pack>) -> [Pack; 6] {
         let [zero, one] = [Pack::ZERO, Pack::splat(1.0)];
         let flow = point.alpha - alpha;
         let now = self.yields(point.alpha, self.rate.map(|_| point.overstress));
@@ -311,7 +323,12 @@ mod tests {
                 }
             }
             let alpha = 0.1 * unit();
-            let point = law.recovering_step((over, [0.0; 3], over), alpha, &committed, Pace::Slow);
+            let point = law.flow_step(
+                &over,
+                &over,
+                &Committed { plastic: [0.0; 3], alpha, backs: committed },
+                Pace::Slow,
+            );
             if point.alpha > alpha {
                 flowed += 1;
                 let square: f64 = (0..3).map(|i| law.yielding[i] * point.over[i] * point.over[i]).sum();
