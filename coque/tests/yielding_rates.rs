@@ -94,7 +94,8 @@ fn half_of_the_ring_is_two_quarters() {
         let most = two.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         let apart = one.iter().zip(&two).map(|(one, two)| (times * one - two).abs()).fold(0.0, f64::max);
         println!("{name}: {:.1e}", apart / most);
-        assert!(apart < 1e-9 * most && most > 0.0, "{name}: {:.1e}", apart / most);
+        // 8e-14: rounding.
+        assert!(apart < 3e-13 * most && most > 0.0, "{name}: {:.1e}", apart / most);
     }
 }
 
