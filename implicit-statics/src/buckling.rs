@@ -100,7 +100,10 @@ pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
     let mut solver = CountingSolver::new(n, &pattern, system.coordinates().as_deref(), watch)?;
     let mut base = vec![0.0; pattern.len()];
     system.tangent(level, &mut base);
-    let inertia = solver.factor(&base)?;
+    if !system.beside_pattern(level).is_empty() {
+        return Err(EquilibriumError::BesidePattern { what: "linear buckling" });
+    }
+    let inertia = solver.factor(&base, &[])?;
     if inertia.negative > 0 {
         return Err(EquilibriumError::Unstable { level, negative: inertia.negative });
     }
@@ -300,7 +303,7 @@ impl Pencil<'_> {
         self.shift = shift;
         let signed = self.sign * shift;
         let values: Vec<f64> = self.base.iter().zip(self.geometric).map(|(k, g)| k + signed * g).collect();
-        let inertia = self.solver.factor(&values)?;
+        let inertia = self.solver.factor(&values, &[])?;
         Ok((inertia.negative, inertia.zero))
     }
 

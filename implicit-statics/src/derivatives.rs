@@ -78,6 +78,8 @@ fn product<E: Equilibrium>(system: &mut E, level: f64, direction: &[f64]) -> Vec
             product[column] += value * direction[row];
         }
     }
+    let beside = system.beside_pattern(level);
+    beside.iter().for_each(|term| term.add_product(1.0, direction, &mut product));
     product
 }
 

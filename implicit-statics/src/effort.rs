@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::rank_one::RankOne;
 use crate::{EquilibriumError, Inertia, SymmetricSolver};
 
 /// Work done so far.
@@ -83,10 +84,10 @@ impl<'a> CountingSolver<'a> {
         }
     }
 
-    pub fn factor(&mut self, values: &[f64]) -> Result<Inertia, EquilibriumError> {
+    pub fn factor(&mut self, values: &[f64], beside: &[RankOne]) -> Result<Inertia, EquilibriumError> {
         self.ask()?;
         self.effort.factorisations += 1;
-        self.solver.factor(values)
+        self.solver.factor_with(values, beside)
     }
 
     pub fn solve(&mut self, right: &mut [f64]) -> Result<(), EquilibriumError> {

@@ -1,6 +1,7 @@
 //! What a discrete system must offer to be solved without time.
 
 use crate::bounds::OutOfBounds;
+use crate::rank_one::RankOne;
 
 /// What touches in a state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -58,6 +59,12 @@ pub trait Equilibrium {
     /// part.
     fn tangent(&mut self, level: f64, values: &mut [f64]);
 
+    /// What the tangent at the present state has beside its pattern, held values at level λ: where one number, as the pressure of what is
+    /// enclosed, depends on all that encloses it. Asked for after the tangent; none, the default, of most systems.
+    fn beside_pattern(&mut self, _level: f64) -> Vec<RankOne> {
+        Vec::new()
+    }
+
     /// Whether Newton's method goes on with the factor of an iterate before as long as the residual falls fast: worth it where
     /// tangent and factor cost many times what forces do.
     fn keeps_factor(&self) -> bool {
@@ -101,6 +108,8 @@ pub trait Equilibrium {
         let mut values = vec![0.0; pattern.len()];
         self.tangent(level, &mut values);
         row_sums(&pattern, &values, out);
+        let ones = vec![1.0; out.len()];
+        self.beside_pattern(level).iter().for_each(|term| term.add_magnitudes(&ones, out));
     }
 
     /// The tangent of the present, unstressed configuration with the stresses that a motion would bring: what

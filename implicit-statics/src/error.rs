@@ -257,6 +257,14 @@ pub enum EquilibriumError {
         "this system does not tell its rigid motions, which conjugate gradients need; use the direct solver"
     )]
     NoRigidMotions,
+    /// A tangent with terms beside its pattern, in a solution that has no place for them.
+    #[error(
+        "{what} takes tangents of a sparse pattern alone, and what this system encloses couples all that encloses it; follow the path to its critical points, or take a pressure in place of what is enclosed"
+    )]
+    BesidePattern {
+        /// The solution.
+        what: &'static str,
+    },
     /// Eigenpairs did not converge.
     #[error(
         "{found} of {wanted} eigenpairs converged (error bound {residual:.3e}, must be below {bound:.1e}); ask for fewer modes"

@@ -89,6 +89,13 @@
 //! A state that is kept is announced ([`Equilibrium::commit`]); what is tried on the way is not, and [`Equilibrium::restore`] brings
 //! histories back with the state.
 //!
+//! # What is enclosed
+//!
+//! Where one number depends on all that encloses something, as the pressure of a gas on its volume, the tangent is `K + Σ c g gᵀ` with
+//! vectors g that fill it ([`Equilibrium::beside_pattern`]). K alone is assembled and factorised; each solve is corrected, and the signs of the
+//! pivots are put right ([`RankOne`]), so that inertia, critical points and modes are those of the whole. Linearised buckling and conjugate
+//! gradients refuse such systems.
+//!
 //! # What breaks
 //!
 //! A system may have parts that break at a limit ([`Equilibrium::utilisation`]). A step that takes any beyond is made shorter, by a
@@ -222,6 +229,7 @@
 //! | limit points and bifurcations are distinguished and located | `limit_points_of_the_arch`, `a_steep_arch_leans_aside`, `the_rigid_column_buckles_and_its_branch_rises` (tests/critical.rs) |
 //! | branches that rise or fall are taken to either side, mirror images to the last bit; limit points, loads and double points are left alone | `the_rigid_column_buckles_to_the_side_asked_for`, `a_branch_that_falls_is_followed_down`, `a_chain_bends_in_its_first_mode_and_its_mirror`, `a_double_bifurcation_is_not_left` (tests/branches.rs) |
 //! | inertia is the count of dense eigenvalues, whatever the units | `inertia_equals_the_dense_count_and_solutions_satisfy_their_equations`, `units_of_the_unknowns_do_not_change_the_count` (tests/solver.rs) |
+//! | terms beside the pattern: solutions, counts, modes are those of the dense matrix | `terms_beside_the_pattern_are_those_of_the_dense_matrix` (tests/rank_one.rs) |
 //! | singular matrices are counted and never solved | `a_free_chain_is_singular_and_never_solved` |
 //! | factors repeat to the last bit | `factors_repeat_to_the_last_bit` |
 //! | modes of chains and membranes in closed form, double values kept | `modes_of_a_chain_of_springs_and_masses`, `double_frequencies_of_a_membrane` (tests/modes.rs) |
@@ -257,6 +265,7 @@ mod options;
 mod ordering;
 mod path;
 mod pattern;
+mod rank_one;
 mod relaxation;
 mod several;
 mod solver;
@@ -284,6 +293,7 @@ pub use options::{
     Branches, Control, CriticalOptions, Damping, NewtonOptions, PathOptions, RelaxationOptions,
 };
 pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
+pub use rank_one::RankOne;
 pub use relaxation::{Relaxation, RelaxationMemory, Relaxed, Relaxing, SnapEnergy, relax};
 pub use several::{Interaction, Joinable, Several};
 pub use solver::SymmetricSolver;

@@ -4,6 +4,7 @@ use crate::effort::{Counted, CountingSolver, Spectrum, Watch};
 use crate::eigen::{End, Krylov, Operator, Ritz};
 use crate::error::require;
 use crate::pattern::product;
+use crate::rank_one::RankOne;
 use crate::vectors::dot;
 use crate::{Equilibrium, EquilibriumError};
 
@@ -48,8 +49,10 @@ pub fn natural_modes<'a, E: Equilibrium + ?Sized>(
     let mut values = vec![0.0; pattern.len()];
     system.tangent(level, &mut values);
     let masses = system.vibrating_masses();
+    let beside = system.beside_pattern(level);
     let solver = CountingSolver::new(masses.len(), &pattern, system.coordinates().as_deref(), watch)?;
-    modes_of(solver, &pattern, &values, &masses, count, shift).map_err(|error| error.named(system, 0, level))
+    let stiffness = Stiffness { pattern: &pattern, values: &values, beside: &beside };
+    modes_of(solver, stiffness, &masses, count, shift).map_err(|error| error.named(system, 0, level))
 }
 
 /// Eigenpairs of `K φ = ω² M φ` with diagonal M nearest to a shift; K by its lower triangle.
@@ -65,14 +68,21 @@ pub fn lowest_modes<'a>(
     watch: &'a mut Watch<'a>,
 ) -> Result<Spectrum<Mode>, EquilibriumError> {
     let solver = CountingSolver::new(masses.len(), pattern, None, watch)?;
-    modes_of(solver, pattern, stiffness, masses, count, shift)
+    modes_of(solver, Stiffness { pattern, values: stiffness, beside: &[] }, masses, count, shift)
+}
+
+/// A tangent: entries of its pattern, and what it has beside.
+#[derive(Clone, Copy)]
+struct Stiffness<'a> {
+    pattern: &'a [(usize, usize)],
+    values: &'a [f64],
+    beside: &'a [RankOne],
 }
 
 /// The same by a solver for the pattern.
 fn modes_of(
     solver: CountingSolver<'_>,
-    pattern: &[(usize, usize)],
-    stiffness: &[f64],
+    stiffness: Stiffness<'_>,
     masses: &[f64],
     count: usize,
     shift: f64,
@@ -85,7 +95,7 @@ fn modes_of(
         count as f64,
         "between 1 and the number of unknowns with mass",
     )?;
-    let mut vibration = Vibration { solver, pattern, stiffness, masses };
+    let mut vibration = Vibration { solver, stiffness, masses };
     let below = vibration.below(shift)?.0;
     let mut krylov = Krylov::new(&mut vibration, n, &[])?;
     let mut wanted = count;
@@ -113,21 +123,21 @@ fn modes_of(
 
 struct Vibration<'a, 'w> {
     solver: CountingSolver<'w>,
-    pattern: &'a [(usize, usize)],
-    stiffness: &'a [f64],
+    stiffness: Stiffness<'a>,
     masses: &'a [f64],
 }
 
 impl Vibration<'_, '_> {
     /// Factorises K − σM; eigenvalues below σ, and those within rounding of it.
     fn below(&mut self, shift: f64) -> Result<(usize, usize), EquilibriumError> {
-        let mut values = self.stiffness.to_vec();
-        for (&(row, column), value) in self.pattern.iter().zip(&mut values) {
+        let Stiffness { pattern, values, beside } = self.stiffness;
+        let mut values = values.to_vec();
+        for (&(row, column), value) in pattern.iter().zip(&mut values) {
             if row == column {
                 *value -= shift * self.masses[row];
             }
         }
-        let inertia = self.solver.factor(&values)?;
+        let inertia = self.solver.factor(&values, beside)?;
         Ok((inertia.negative, inertia.zero))
     }
 
@@ -162,7 +172,8 @@ impl Vibration<'_, '_> {
     fn mode(&mut self, shift: f64, tau: f64, pair: &Ritz, shape: Vec<f64>) -> Result<Mode, EquilibriumError> {
         let eigenvalue = shift + 1.0 / pair.value;
         let mut left = vec![0.0; shape.len()];
-        product(self.pattern, self.stiffness, &shape, &mut left);
+        product(self.stiffness.pattern, self.stiffness.values, &shape, &mut left);
+        self.stiffness.beside.iter().for_each(|term| term.add_product(1.0, &shape, &mut left));
         for ((left, mass), value) in left.iter_mut().zip(self.masses).zip(&shape) {
             *left -= eigenvalue * mass * value;
         }

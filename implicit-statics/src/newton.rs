@@ -146,7 +146,7 @@ impl Newton {
                 self.analyse(system)?;
             }
             system.tangent(level, &mut self.values);
-            self.solver.factor(&self.values)?;
+            self.solver.factor_with(&self.values, &system.beside_pattern(level))?;
             self.effort.factorisations += 1;
             (self.factored, self.answer) = (Some(level), None);
             self.most_negative = self.most_negative.max(self.solver.inertia().negative);

@@ -107,7 +107,7 @@ impl OneSolve {
     ) -> Result<(), EquilibriumError> {
         if !self.factored {
             system.tangent(level, &mut self.values);
-            self.solver.factor(&self.values)?;
+            self.solver.factor_with(&self.values, &system.beside_pattern(level))?;
             self.factored = true;
         }
         Ok(())

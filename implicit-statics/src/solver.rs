@@ -9,6 +9,7 @@ use crate::EquilibriumError;
 use crate::factor::Factor;
 use crate::inertia::Inertia;
 use crate::pattern::columns;
+use crate::rank_one::{RankOne, Terms};
 use crate::symbolic::{analyse, multiplications};
 use crate::vectors::{dot, norm, unstructured};
 
@@ -48,6 +49,8 @@ pub struct SymmetricSolver {
     factor: Factor,
     memory: MemBuffer,
     inertia: Inertia,
+    /// What the matrix has beside its pattern.
+    terms: Terms,
 }
 
 impl SymmetricSolver {
@@ -79,6 +82,7 @@ impl SymmetricSolver {
             factor: Factor::new(&symbolic),
             memory: MemBuffer::new(scratch),
             inertia: Inertia::default(),
+            terms: Terms::default(),
             matrix,
             slots,
             symbolic,
@@ -99,6 +103,11 @@ impl SymmetricSolver {
     ///
     /// A singular matrix is no error here: its zeros are counted, and [`SymmetricSolver::solve`] refuses.
     pub fn factor(&mut self, values: &[f64]) -> Result<Inertia, EquilibriumError> {
+        self.factor_with(values, &[])
+    }
+
+    /// The same of a matrix with terms beside its pattern.
+    pub fn factor_with(&mut self, values: &[f64], terms: &[RankOne]) -> Result<Inertia, EquilibriumError> {
         if values.len() != self.slots.len() {
             let (length, expected) = (values.len(), self.slots.len());
             return Err(EquilibriumError::Length { name: "tangent values", length, expected });
@@ -111,6 +120,11 @@ impl SymmetricSolver {
             Some(inertia) => inertia,
             None => self.singular_inertia(),
         };
+        self.terms = Terms::scaled(terms, &self.scale);
+        if self.inertia.zero == 0 && !self.terms.is_empty() {
+            let Self { factor, symbolic, terms, .. } = self;
+            self.inertia = terms.complete(self.inertia, |right| factor.substitute(symbolic, right));
+        }
         Ok(self.inertia)
     }
 
@@ -193,6 +207,7 @@ impl SymmetricSolver {
                 sums[j] += (value * x[i]).abs();
             }
         });
+        self.terms.iter().for_each(|term| term.add_magnitudes(x, &mut sums));
         f64::EPSILON * self.force_norm(&sums)
     }
 
@@ -315,6 +330,7 @@ impl SymmetricSolver {
 
     fn backsolve(&mut self, right: &mut [f64]) {
         self.factor.substitute(&self.symbolic, right);
+        self.terms.correct(right);
     }
 
     /// `out −= K̂ x` with the scaled matrix.
@@ -325,6 +341,7 @@ impl SymmetricSolver {
                 out[j] -= value * x[i];
             }
         });
+        self.terms.iter().for_each(|term| term.add_product(-1.0, x, out));
     }
 
     fn for_entries(&self, mut visit: impl FnMut(usize, usize, f64)) {

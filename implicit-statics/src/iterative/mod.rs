@@ -58,6 +58,9 @@ pub fn conjugate_response<E: Equilibrium + ?Sized>(
         let pattern = system.pattern();
         let mut values = vec![0.0; pattern.len()];
         system.tangent(level, &mut values);
+        if !system.beside_pattern(level).is_empty() {
+            return Err(EquilibriumError::BesidePattern { what: "conjugate gradients" });
+        }
         Rows::symmetric(n, &pattern, &values)
     };
     // A node: unknowns that follow each other at one place.

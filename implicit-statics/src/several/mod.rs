@@ -7,6 +7,7 @@
 //! prescribed motion is refused by whoever builds one, or it says that it is led ([`Interaction::is_led`]).
 
 mod acting;
+mod beside;
 mod interaction;
 mod led;
 mod stressed;

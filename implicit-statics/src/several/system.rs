@@ -7,6 +7,7 @@ use super::acting::Acting;
 use super::interaction::{Interaction, Joinable};
 use crate::bounds::OutOfBounds;
 use crate::equilibrium::{Equilibrium, Front};
+use crate::rank_one::RankOne;
 
 /// Part of the greatest utilisation from which on others break with it: equal systems are as far but for rounding.
 const ALIKE: f64 = 1e-9;
@@ -131,7 +132,10 @@ impl<S: ?Sized> Several<S> {
     }
 
     /// Each system with its part of a list.
-    fn parts(&mut self, ends: fn(&Self) -> &Vec<usize>) -> impl Iterator<Item = (&mut Box<S>, Range<usize>)> {
+    pub(super) fn parts(
+        &mut self,
+        ends: fn(&Self) -> &Vec<usize>,
+    ) -> impl Iterator<Item = (&mut Box<S>, Range<usize>)> {
         let ends = ends(self).clone();
         self.systems
             .iter_mut()
@@ -206,6 +210,10 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
         self.act(level);
         self.parts(Self::entries).for_each(|(system, range)| system.tangent(level, &mut values[range]));
         self.add_stiffness(values);
+    }
+
+    fn beside_pattern(&mut self, level: f64) -> Vec<RankOne> {
+        self.beside(level)
     }
 
     fn keeps_factor(&self) -> bool {

@@ -1,6 +1,6 @@
 //! Several bodies whose equilibria are sought: all of it is that of the systems together.
 
-use implicit_statics::{Equilibrium, Front, OutOfBounds};
+use implicit_statics::{Equilibrium, Front, OutOfBounds, RankOne};
 use sph_core::Vec3;
 
 use super::body::Together;
@@ -43,6 +43,10 @@ impl Equilibrium for Together<Balanced> {
 
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
         self.system.tangent(level, values);
+    }
+
+    fn beside_pattern(&mut self, level: f64) -> Vec<RankOne> {
+        self.system.beside_pattern(level)
     }
 
     fn keeps_factor(&self) -> bool {
