@@ -130,6 +130,8 @@ pub enum WarningKind {
     BeyondData,
     /// Much of the work goes into the control of zero-energy modes of cells that yield.
     StiffControl,
+    /// A liquid that pulls at what encloses it.
+    PullingLiquid,
     /// Hinges along clamped edges that are wide for the span.
     CoarseHinge,
     /// A level that leads what yields or rubs elsewhere than small steps do.
@@ -208,6 +210,7 @@ impl WarningKind {
             Self::FewSlices => "few-slices",
             Self::BeyondData => "beyond-data",
             Self::StiffControl => "stiff-control",
+            Self::PullingLiquid => "pulling-liquid",
             Self::CoarseHinge => "coarse-hinge",
             Self::LargeHistoryStep => "large-history-step",
             Self::Necking => "necking",

@@ -5,7 +5,7 @@
 //! stay in the basis, converged or not; full orthogonalisation leaves no copies \[parlett1998\].
 
 use crate::EquilibriumError;
-use crate::solver::dense_eigen;
+use crate::dense::dense_eigen;
 use crate::vectors::{dot, unstructured};
 
 /// Vectors of a block: eigenvalues of this multiplicity are found at once, others after a restart with a fresh vector.

@@ -248,6 +248,7 @@ mod branch;
 mod breaking;
 mod buckling;
 mod critical;
+mod dense;
 mod derivatives;
 mod effort;
 mod eigen;
@@ -272,6 +273,7 @@ mod solver;
 mod stepper;
 mod symbolic;
 mod vectors;
+mod woodbury;
 
 pub use block_pattern::BlockPattern;
 pub use bounds::OutOfBounds;

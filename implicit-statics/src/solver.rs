@@ -1,17 +1,18 @@
-//! The sparse symmetric solver and the small dense one: symbolic.rs beside it is the only other file that sees faer.
+//! The sparse symmetric solver: symbolic.rs and dense.rs beside it are the only other files that see faer.
 
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::sparse::linalg::cholesky::SymbolicCholesky;
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
-use faer::{Mat, Par, Side};
+use faer::{Par, Side};
 
 use crate::EquilibriumError;
 use crate::factor::Factor;
 use crate::inertia::Inertia;
 use crate::pattern::columns;
-use crate::rank_one::{RankOne, Terms};
+use crate::rank_one::RankOne;
 use crate::symbolic::{analyse, multiplications};
 use crate::vectors::{dot, norm, unstructured};
+use crate::woodbury::Terms;
 
 /// A pivot below this, after scaling to a unit diagonal, asks for the exact count of vanishing eigenvalues.
 const SMALL_PIVOT: f64 = 1e-13;
@@ -357,17 +358,6 @@ impl SymmetricSolver {
     fn force_norm(&self, scaled: &[f64]) -> f64 {
         scaled.iter().zip(&self.scale).map(|(f, s)| (f / s) * (f / s)).sum::<f64>().sqrt()
     }
-}
-
-/// Eigenvalues in rising order and unit eigenvectors (one after the other) of a small dense symmetric matrix,
-/// given by its lower triangle in column-major order.
-pub fn dense_eigen(size: usize, matrix: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let eigen = Mat::from_fn(size, size, |i, j| matrix[i + j * size])
-        .self_adjoint_eigen(Side::Lower)
-        .expect("a finite symmetric matrix has its eigenpairs");
-    let values = (0..size).map(|i| eigen.S()[i]).collect();
-    let vectors = (0..size * size).map(|k| eigen.U()[(k % size, k / size)]).collect();
-    (values, vectors)
 }
 
 fn power_of_two(value: f64) -> f64 {

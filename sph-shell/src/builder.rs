@@ -161,7 +161,7 @@ impl ShellBuilder {
     /// that the host does not have, ties in a circle; masses that are not positive and finite; rigid sets that meet each other, stand on one
     /// line along a normal, hold a particle that is supported, tied to a cell, or of a junction only in part; springs without a stiffness, along a
     /// director, or of one particle; tools without sense, on shells without cells or with sections over or below their particles; contact of a shell with itself where its
-    /// thickness is not one, edges are tied or it has no stiffness; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
+    /// thickness is not one, edges are tied or it has no stiffness; what is enclosed with rims that are free to change its volume, or without any; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
     /// plane problem of a shell that is no strip across the plane; and regions, ties, rigid sets, stresses and sections with memory where
     /// strains are not sampled in cells, the last together with stresses too.
     pub fn build(self) -> Result<Shell, ShellError> {
@@ -230,6 +230,10 @@ impl ShellBuilder {
         let bodies = Bodies { reference: &reference, material: &material, ties: &ties };
         let junctions = bodies.join(junctions, &rigid, &mut constraints)?;
 
+        for (number, applied) in loads.iter().enumerate() {
+            let enclosed = applied.load.enclosed();
+            enclosed.map_or(Ok(()), |enclosed| enclosed.close(number, &reference, &constraints))?;
+        }
         let springs = springs.checked(&reference)?;
         junctions.check_springs(&springs.of_bodies)?;
         let tools = match tools.is_empty() {

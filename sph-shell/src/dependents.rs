@@ -2,7 +2,7 @@
 
 use sph_core::Vec3;
 
-use crate::conditions::loads::Body;
+use crate::conditions::body::Body;
 use crate::junction::group::Junctions;
 use crate::packs::Row;
 use crate::reference::Reference;

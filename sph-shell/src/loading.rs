@@ -3,9 +3,11 @@
 use explicit_dynamics::{Instant, Push};
 use sph_core::Vec3;
 
+use crate::conditions::body::{Block, Body};
 use crate::conditions::case::LoadCase;
+use crate::conditions::cavity::Enclosed;
 use crate::conditions::frozen::FrozenContact;
-use crate::conditions::loads::{AppliedLoad, Block, Body};
+use crate::conditions::loads::AppliedLoad;
 use crate::conditions::own_contact::SelfContact;
 use crate::conditions::springs::Springs;
 use crate::conditions::tools::Tools;
@@ -219,7 +221,10 @@ impl Loading {
         let body = dependents.loaded(reference, &motion.state);
         external.fill([0.0; 6]);
         for applied in loads.iter() {
-            applied.load.add(scale(applied), &body, external);
+            match (applied.load.enclosed(), part) {
+                (Some(enclosed), Part::Rate { .. }) => enclosed.add_rate(scale(applied), &body, external),
+                _ => applied.load.add(scale(applied), &body, external),
+            }
         }
         if let Some(surface) = wetted {
             surface.add(&motion.rates, external);
@@ -282,6 +287,14 @@ impl Loading {
                 body.take(&triad, sum);
             }
         }
+    }
+
+    /// What is enclosed, with its share at a level of the case that is under way.
+    pub fn enclosed(&self, level: f64) -> impl Iterator<Item = (&Enclosed, f64)> {
+        let at = Instant { time: 0.0, level };
+        self.loads
+            .iter()
+            .filter_map(move |applied| Some((applied.load.enclosed()?, applied.scale(at, self.case))))
     }
 
     /// The derivatives of all loads at a level, of the springs on particles, of what tools and of what the shell exerts on itself, block by

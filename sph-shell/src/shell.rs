@@ -5,7 +5,7 @@ use shell_kinematics::StrainMeasure;
 use sph_core::Vec3;
 
 use crate::Shell;
-use crate::conditions::loads::Block;
+use crate::conditions::body::Block;
 use crate::conditions::supports::Constraint;
 use crate::control::arcs::ChordLoss;
 use crate::control::pairs::PairControl;
@@ -213,6 +213,7 @@ impl Shell {
         }
         points.commit(material.strain, &motion.state, duration, evaluation.threads);
         loading.tools.commit();
+        loading.enclosed(1.0).for_each(|(enclosed, _)| enclosed.note());
     }
 
     /// Whether its section has a memory, or what it touches friction.
@@ -358,8 +359,7 @@ impl Shell {
 
     /// The derivatives of all loads at a level, of the springs and of contact, block by block.
     pub(crate) fn load_stiffness(&self, level: f64, put: &mut dyn FnMut(u32, u32, &Block)) {
-        let body = self.dependents.loaded(&self.reference, &self.motion.state);
-        self.loading.stiffness(level, &body, put);
+        self.loading.stiffness(level, &self.loaded(), put);
     }
 
     /// The springs of rigid bodies in the present state.

@@ -104,6 +104,7 @@ if TYPE_CHECKING:
     GalerkinTangent: TypeAlias = Union[Literal['continuum'], Literal['consistent']]
     GalerkinUpdate: TypeAlias = Union[Literal['midpoint'], Literal['step-start']]
     GalerkinVolumes: TypeAlias = Union[Literal['shared'], Literal['mean'], Literal['points']]
+    Gas = TypedDict("Gas", {"ambient": NotRequired[float], "beside": NotRequired[float], "exponent": NotRequired[float], "pressure": float})
     Geometry_1 = TypedDict("Geometry_1", {"plate": "Plate"})
     Geometry_2 = TypedDict("Geometry_2", {"cylinder": "Cylinder"})
     Geometry_3 = TypedDict("Geometry_3", {"sphere": "Sphere"})
@@ -132,7 +133,7 @@ if TYPE_CHECKING:
     Linear2 = TypedDict("Linear2", {"iterations": NotRequired[int], "solver": NotRequired["LinearSolver"]})
     LinearSolver: TypeAlias = Union[Literal['direct'], Literal['conjugate-gradients']]
     Liquid = TypedDict("Liquid", {"density": float, "kinematic_viscosity": NotRequired[float], "sound_speed": float})
-    Load = TypedDict("Load", {"amplitude": NotRequired["Amplitude"], "couple": NotRequired["Couple"], "force": NotRequired["Force2"], "gravity": NotRequired["Gravity"], "on": str, "preload": NotRequired[bool], "pressure": NotRequired["Pressure"], "traction": NotRequired["Traction"]})
+    Load = TypedDict("Load", {"amplitude": NotRequired["Amplitude"], "couple": NotRequired["Couple"], "force": NotRequired["Force2"], "gas": NotRequired["Gas"], "gravity": NotRequired["Gravity"], "on": str, "preload": NotRequired[bool], "pressure": NotRequired["Pressure"], "traction": NotRequired["Traction"], "volume": NotRequired["Volume"]})
     LumpedMass = TypedDict("LumpedMass", {"mass": float, "on": str})
     Material_1 = TypedDict("Material_1", {"elastic": "Elastic"})
     Material_2 = TypedDict("Material_2", {"orthotropic": "Orthotropic"})
@@ -140,7 +141,7 @@ if TYPE_CHECKING:
     Material_4 = TypedDict("Material_4", {"rubber": "Rubber"})
     Material_5 = TypedDict("Material_5", {"file": "OfFile"})
     Material: TypeAlias = Union["Material_1", "Material_2", "Material_3", "Material_4", "Material_5"]
-    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['contact-moment'], Literal['contact-gap'], Literal['greatest-depth'], Literal['touching-area'], Literal['glue-force'], Literal['glue-gap'], Literal['friction-loss'], Literal['plastic-strain'], Literal['thickness'], Literal['plastic-work'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
+    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['contact-moment'], Literal['contact-gap'], Literal['greatest-depth'], Literal['touching-area'], Literal['glue-force'], Literal['glue-gap'], Literal['friction-loss'], Literal['plastic-strain'], Literal['thickness'], Literal['plastic-work'], Literal['enclosed-pressure'], Literal['enclosed-volume'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
     Mesh = TypedDict("Mesh", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[float]})
     Modal = TypedDict("Modal", {"modes": int})
     MooneyRivlin = TypedDict("MooneyRivlin", {"c1": float, "c2": float})
@@ -244,6 +245,7 @@ if TYPE_CHECKING:
     Units = TypedDict("Units", {"force": "Force", "length": "Length", "time": "Time"})
     Velocity = TypedDict("Velocity", {"linear": NotRequired[Sequence[float]], "on": NotRequired[str], "spin": NotRequired["Spin"]})
     Voce = TypedDict("Voce", {"rate": float, "rise": float, "yield-stress": float})
+    Volume = TypedDict("Volume", {"added": float, "beside": NotRequired[float], "bulk_modulus": float})
     Wall = TypedDict("Wall", {"normal": Sequence[float], "point": Sequence[float]})
     WallGeometry_1 = TypedDict("WallGeometry_1", {"basin": "Basin"})
     WallGeometry_2 = TypedDict("WallGeometry_2", {"block": "Obstacle"})

@@ -35,12 +35,13 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 89] = [
+const EXAMPLES: [Example; 91] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
     Example::new("balloon-inflating", 0.5, include_str!("../../../scenes/meshes/balloon-inflating.toml")),
+    Example::new("balloon-pumped", 1.0, include_str!("../../../scenes/meshes/balloon-pumped.toml")),
     Example::new("block-on-flat", 0.1, include_str!("../../../scenes/block-on-flat.toml")),
     Example::new("block-on-incline", 0.1, include_str!("../../../scenes/block-on-incline.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
@@ -86,6 +87,7 @@ const EXAMPLES: [Example; 89] = [
     Example::new("plate-buckling", 0.2, include_str!("../../../scenes/plate-buckling.toml")),
     Example::new("plate-clamped", 0.1, include_str!("../../../scenes/plate-clamped.toml")),
     Example::new("plate-clamped-solid", 1.0, include_str!("../../../scenes/plate-clamped-solid.toml")),
+    Example::new("plate-on-gas", 0.1, include_str!("../../../scenes/plate-on-gas.toml")),
     Example::new("plate-on-plate", 4.0, include_str!("../../../scenes/plate-on-plate.toml")),
     Example::new("plate-orthotropic", 6.0, include_str!("../../../scenes/plate-orthotropic.toml")),
     Example::new("plate-pd", 6.0, include_str!("../../../scenes/plate-pd.toml")),
@@ -135,18 +137,35 @@ const EXAMPLES: [Example; 89] = [
     Example::new("two-cantilevers", 3.0, include_str!("../../../scenes/two-cantilevers.toml")),
 ];
 
-/// What is written beside an example on a mesh: the ending of its name, and what it holds.
-const FILES: [(&str, &str, &str); 10] = [
-    ("balloon-inflating", "inp", include_str!("../../../scenes/meshes/balloon-inflating.inp")),
-    ("cook-yielding", "inp", include_str!("../../../scenes/meshes/cook-yielding.inp")),
-    ("disc-yielding", "inp", include_str!("../../../scenes/meshes/disc-yielding.inp")),
-    ("flanged-bracket", "geo", include_str!("../../../scenes/meshes/flanged-bracket.geo")),
-    ("flanged-bracket", "msh", include_str!("../../../scenes/meshes/flanged-bracket.msh")),
-    ("stiffened-panel-abaqus", "inp", include_str!("../../../scenes/meshes/stiffened-panel-abaqus.inp")),
-    ("stiffened-panel-gmsh", "geo", include_str!("../../../scenes/meshes/stiffened-panel-gmsh.geo")),
-    ("stiffened-panel-gmsh", "msh", include_str!("../../../scenes/meshes/stiffened-panel-gmsh.msh")),
-    ("t-frame", "msh", include_str!("../../../scenes/meshes/t-frame.msh")),
-    ("tied-rib", "msh", include_str!("../../../scenes/meshes/tied-rib.msh")),
+/// What is written beside an example on a mesh: the name of a file, and what it holds.
+const FILES: [(&str, &str, &str); 11] = [
+    (
+        "balloon-inflating",
+        "balloon-inflating.inp",
+        include_str!("../../../scenes/meshes/balloon-inflating.inp"),
+    ),
+    ("balloon-pumped", "balloon-inflating.inp", include_str!("../../../scenes/meshes/balloon-inflating.inp")),
+    ("cook-yielding", "cook-yielding.inp", include_str!("../../../scenes/meshes/cook-yielding.inp")),
+    ("disc-yielding", "disc-yielding.inp", include_str!("../../../scenes/meshes/disc-yielding.inp")),
+    ("flanged-bracket", "flanged-bracket.geo", include_str!("../../../scenes/meshes/flanged-bracket.geo")),
+    ("flanged-bracket", "flanged-bracket.msh", include_str!("../../../scenes/meshes/flanged-bracket.msh")),
+    (
+        "stiffened-panel-abaqus",
+        "stiffened-panel-abaqus.inp",
+        include_str!("../../../scenes/meshes/stiffened-panel-abaqus.inp"),
+    ),
+    (
+        "stiffened-panel-gmsh",
+        "stiffened-panel-gmsh.geo",
+        include_str!("../../../scenes/meshes/stiffened-panel-gmsh.geo"),
+    ),
+    (
+        "stiffened-panel-gmsh",
+        "stiffened-panel-gmsh.msh",
+        include_str!("../../../scenes/meshes/stiffened-panel-gmsh.msh"),
+    ),
+    ("t-frame", "t-frame.msh", include_str!("../../../scenes/meshes/t-frame.msh")),
+    ("tied-rib", "tied-rib.msh", include_str!("../../../scenes/meshes/tied-rib.msh")),
 ];
 
 /// Lists the examples, or writes one.
@@ -177,9 +196,8 @@ pub fn write(example: &Example, file: &Path) -> Result<(), Refused> {
     let mut text = example.scene.replace(&format!("scenes/meshes/{name}.toml"), &shown);
     text = text.replace(&format!("scenes/{name}.toml"), &shown);
     write_meshes(name, file)?;
-    for (_, ending, _) in FILES.iter().filter(|(known, ..)| *known == name) {
-        let beside = format!("{name}.{ending}");
-        text = text.replace(&format!("scenes/meshes/{beside}"), &beside);
+    for (_, beside, _) in FILES.iter().filter(|(known, ..)| *known == name) {
+        text = text.replace(&format!("scenes/meshes/{beside}"), beside);
     }
     // The schema lies beside the scenes of the repository, not here.
     let lines = text.lines().filter(|line| !line.starts_with("#:schema"));
@@ -190,8 +208,8 @@ pub fn write(example: &Example, file: &Path) -> Result<(), Refused> {
 
 /// Writes the files of the mesh of an example beside a scene; those that are there already stay.
 pub fn write_meshes(name: &str, scene: &Path) -> Result<(), Refused> {
-    for (_, ending, held) in FILES.iter().filter(|(known, ..)| *known == name) {
-        let file = scene.with_file_name(format!("{name}.{ending}"));
+    for (_, file, held) in FILES.iter().filter(|(known, ..)| *known == name) {
+        let file = scene.with_file_name(file);
         if !fs::read_to_string(&file).is_ok_and(|text| text == *held) {
             write_new(&file, held)?;
         }

@@ -144,6 +144,10 @@ pub enum Measured {
     Thickness,
     /// Energy that plastic flow has dissipated in a shell or a Galerkin solid \[F L\].
     PlasticWork,
+    /// Pressure of what cells of a shell enclose, on the set of its load \[F/L²\].
+    EnclosedPressure,
+    /// Volume that cells of a shell enclose, with what its load has beside, on the set of the load \[L³\].
+    EnclosedVolume,
     /// Component of the moment that the supports of a shell exert about a point \[F L\].
     ReactionMoment,
     /// Angle by which the director has turned about the direction, counted on beyond π \[rad\].
@@ -210,6 +214,8 @@ impl Measured {
             Self::PlasticStrain => "plastic-strain",
             Self::Thickness => "thickness",
             Self::PlasticWork => "plastic-work",
+            Self::EnclosedPressure => "enclosed-pressure",
+            Self::EnclosedVolume => "enclosed-volume",
             Self::ReactionMoment => "reaction-moment",
             Self::VonMises => "von-mises",
             Self::Stress => "stress",
@@ -258,7 +264,10 @@ impl Measured {
             | Self::Moment
             | Self::ReactionMoment
             | Self::Energy => Quantity::Energy,
-            Self::StrainEnergy | Self::Pressure | Self::Stress | Self::VonMises => Quantity::Stress,
+            Self::StrainEnergy | Self::Pressure | Self::EnclosedPressure | Self::Stress | Self::VonMises => {
+                Quantity::Stress
+            }
+            Self::EnclosedVolume => Quantity::Volume,
             Self::MembraneForce | Self::ShearForce => Quantity::ForcePerLength,
             Self::BendingMoment => Quantity::MomentPerLength,
             Self::Density => Quantity::Density,
@@ -276,6 +285,8 @@ impl Measured {
                 | Self::PlasticStrain
                 | Self::Thickness
                 | Self::PlasticWork
+                | Self::EnclosedPressure
+                | Self::EnclosedVolume
                 | Self::ContactGap
                 | Self::GreatestDepth
                 | Self::TouchingArea

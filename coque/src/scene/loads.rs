@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
-use crate::scene::bounded::Positive;
+use crate::scene::bounded::{NotNegative, Positive};
 
 /// A load: exactly one kind is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -21,6 +21,10 @@ pub struct Load {
     /// Pressure along the normal of a shell or of some of its cells, dead or following it; on faces of a Galerkin solid against
     /// their normal, following them.
     pub pressure: Option<Pressure>,
+    /// Gas that the cells of the set enclose: one pressure, which falls as they give way.
+    pub gas: Option<Gas>,
+    /// Liquid that the cells of the set enclose: a volume that is pumped in or shut in.
+    pub volume: Option<Volume>,
     /// Weight: an acceleration of the mass of the set.
     pub gravity: Option<Gravity>,
     /// Dead force by area on a face of a solid, or on cells of a shell.
@@ -83,6 +87,43 @@ impl Pressure {
     }
 }
 
+/// A gas enclosed by cells: `(p + ambient) V^exponent` stays what it is. The level, and an `amplitude` in time, pumps it in; as a `preload` it is
+/// pumped in first and then held. The surface is closed, or open at rims that are held or slide in planes of symmetry or on walls.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Gas {
+    /// Pressure over that of the surroundings that all of it has in the volume at rest \[F/L²\]; zero of a gas that is only shut in.
+    pub pressure: f64,
+    /// Pressure of the surroundings, which it has before any is pumped in \[F/L²\].
+    #[serde(default)]
+    pub ambient: NotNegative,
+    /// One at a constant temperature; the ratio of specific heats, 1.4 of air, where no heat is exchanged \[–\].
+    pub exponent: Option<Positive>,
+    /// Volume that it fills beside what the cells enclose, such as a tank \[L³\].
+    #[serde(default)]
+    pub beside: NotNegative,
+}
+
+impl Gas {
+    /// The exponent, one where none is given.
+    pub fn exponent(&self) -> f64 {
+        self.exponent.map_or(1.0, Positive::get)
+    }
+}
+
+/// A liquid that fills what cells enclose, to the brim at rest: `p = bulk_modulus (filled − V)/V`. The level, and an `amplitude` in time, pumps it in.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Volume {
+    /// Volume without pressure that is pumped in, taken out where negative \[L³\]; zero of a liquid that is only shut in.
+    pub added: f64,
+    /// Pressure over the relative change of the liquid's volume, 2200 MPa of water \[F/L²\].
+    pub bulk_modulus: Positive,
+    /// Volume that it fills beside what the cells enclose \[L³\].
+    #[serde(default)]
+    pub beside: NotNegative,
+}
+
 /// Weight.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -111,6 +152,10 @@ pub enum LoadKind {
     Couple(Couple),
     /// See [`Load::pressure`].
     Pressure(Pressure),
+    /// See [`Load::gas`].
+    Gas(Gas),
+    /// See [`Load::volume`].
+    Volume(Volume),
     /// See [`Load::gravity`].
     Gravity(Gravity),
     /// See [`Load::traction`].
@@ -119,14 +164,23 @@ pub enum LoadKind {
 
 impl Load {
     /// Keys of the kinds.
-    pub const WORDS: [&'static str; 5] = ["force", "couple", "pressure", "gravity", "traction"];
+    pub const WORDS: [&'static str; 7] =
+        ["force", "couple", "pressure", "gas", "volume", "gravity", "traction"];
 
     /// Whether it acts on the cells of its set, of a shell: its particles do not say on which area. Pressure and gravity on all
     /// of a shell ask for no set.
     pub fn acts_on_cells(&self) -> bool {
         let by_area = self.traction.is_some() || self.force.is_some_and(|force| force.by_area);
         let uneven = self.pressure.as_ref().is_some_and(|pressure| pressure.values.is_some());
-        by_area || uneven || (self.on != "all" && (self.pressure.is_some() || self.gravity.is_some()))
+        by_area
+            || uneven
+            || self.encloses()
+            || (self.on != "all" && (self.pressure.is_some() || self.gravity.is_some()))
+    }
+
+    /// Whether it is what cells enclose.
+    pub fn encloses(&self) -> bool {
+        self.gas.is_some() || self.volume.is_some()
     }
 
     /// Every kind that is given, with its key; a checked scene has exactly one.
@@ -135,6 +189,8 @@ impl Load {
             self.force.map(LoadKind::Force),
             self.couple.map(LoadKind::Couple),
             self.pressure.clone().map(LoadKind::Pressure),
+            self.gas.map(LoadKind::Gas),
+            self.volume.map(LoadKind::Volume),
             self.gravity.map(LoadKind::Gravity),
             self.traction.map(LoadKind::Traction),
         ]

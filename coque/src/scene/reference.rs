@@ -192,6 +192,6 @@ impl<'a> Page<'a> {
 fn dimension(said: &str) -> Option<&str> {
     let inside = said.split('[').skip(1).filter_map(|rest| rest.split_once(']').map(|(inside, _)| inside));
     inside
-        .filter(|text| ["rad", "degrees"].contains(text) || text.chars().all(|c| "LFTs1/–²⁴ ,".contains(c)))
+        .filter(|text| ["rad", "degrees"].contains(text) || text.chars().all(|c| "LFTs1/–²³⁴⁵ ,".contains(c)))
         .last()
 }

@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 43] = [
+const SCENES: [(&str, Replaced); 46] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -58,6 +58,9 @@ const SCENES: [(&str, Replaced); 43] = [
     ("hemisphere-yielding.toml", &YIELDING),
     ("../coque/tests/yielding/fibre-metal-askew.toml", &[]),
     ("tube-inflating.toml", &[("analysis.static.levels", "4")]),
+    ("plate-on-gas.toml", &[]),
+    ("tube-inflating.toml", &PUMPED),
+    ("tube-inflating.toml", &FLOODED),
     ("tube-crushed.toml", &CRUSHED),
     ("../coque/tests/yielding/struck.toml", &[("analysis.explicit.transient.duration", "0.002")]),
     ("../coque/tests/yielding/struck.toml", &RATED),
@@ -98,6 +101,21 @@ const RATED: [(&str, &str); 3] = [
         "[{ modulus = 2e7, recovery = 150.0 }, { modulus = 2e6, recovery = 20.0 }]",
     ),
     ("material.plastic.rate", "{ cowper-symonds = { reference = 1000.0, exponent = 4.0 } }"),
+];
+
+/// Air is pumped into a tube.
+const PUMPED: [(&str, &str); 2] = [
+    ("loads", "[{ on = \"all\", gas = { pressure = 0.05, ambient = 0.1, exponent = 1.4, beside = 1e4 } }]"),
+    ("analysis.static.levels", "3"),
+];
+
+/// Water is let into a tube in time.
+const FLOODED: [(&str, &str); 2] = [
+    (
+        "loads",
+        "[{ on = \"all\", volume = { added = 100.0, bulk_modulus = 20.0 }, amplitude = { ramp = 0.002 } }]",
+    ),
+    ("analysis", "{ explicit.transient = { duration = 0.002, record_every = 0.0005 } }"),
 ];
 
 /// Well into its yield.

@@ -13,7 +13,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::solver::dense_eigen;
+use crate::dense::dense_eigen;
 use crate::vectors::dot;
 
 /// Modes kept. A panel of 21×21 particles takes 8350 evaluations in 26 levels with 6, 6060 with 12, 5040 with 20.

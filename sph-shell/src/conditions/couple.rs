@@ -3,7 +3,8 @@
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
-use crate::conditions::loads::{Block, Body, Load, check_set, place_block};
+use crate::conditions::body::{Block, Body, place_block};
+use crate::conditions::loads::{Load, check_set};
 use crate::error::ShellError;
 use crate::reference::Reference;
 

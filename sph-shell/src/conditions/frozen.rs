@@ -1,6 +1,6 @@
 //! Contact as it stands in a state: what touches there is a spring from then on, what is apart stays apart.
 
-use crate::conditions::loads::Block;
+use crate::conditions::body::Block;
 use crate::packs::Row;
 
 /// The forces of contact in a state and their derivatives there: `f(x) = f₀ + K (x − x₀)`.

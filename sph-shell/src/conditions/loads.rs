@@ -1,36 +1,13 @@
 //! Loads: the trait with its stiffness, dead forces on particles, and gravity.
 
 use explicit_dynamics::{Amplitude, Instant};
-use nalgebra::Matrix3;
 use sph_core::Vec3;
 
+use crate::conditions::body::{Block, Body};
 use crate::conditions::case::LoadCase;
+use crate::conditions::cavity::Enclosed;
 use crate::error::ShellError;
 use crate::reference::Reference;
-
-/// What a load sees of the shell.
-pub struct Body<'a> {
-    /// The reference configuration.
-    pub reference: &'a Reference,
-    /// Position and director of every particle, `[x, y, z, d_x, d_y, d_z]`.
-    pub state: &'a [[f64; 6]],
-    /// Mass that each particle bears in the equations of motion \[M\]: with what hangs on it by ties, and none of what hangs.
-    pub masses: &'a [f64],
-}
-
-/// Derivatives between the rows `[x, d]` of two particles.
-pub type Block = [[f64; 6]; 6];
-
-/// The block that is `change` from its first row and column (0 of a force or position, 3 of a couple or director) on, else zero.
-pub fn place_block(row: usize, column: usize, change: &Matrix3<f64>) -> Block {
-    let mut block = [[0.0; 6]; 6];
-    for i in 0..3 {
-        for j in 0..3 {
-            block[row + i][column + j] = change[(i, j)];
-        }
-    }
-    block
-}
 
 /// A load: adds forces on positions \[F\] and couples on directors \[F L\].
 ///
@@ -56,6 +33,11 @@ pub trait Load: Send + Sync {
     /// # Errors
     /// [`ShellError`] naming the fault.
     fn check(&self, reference: &Reference) -> Result<(), ShellError>;
+
+    /// What it is of, where its size depends on a volume that the shell encloses.
+    fn enclosed(&self) -> Option<&Enclosed> {
+        None
+    }
 
     /// The load case to which it belongs.
     fn case(&self) -> LoadCase {

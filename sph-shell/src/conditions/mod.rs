@@ -1,8 +1,11 @@
 //! Supports, prescribed motions and loads.
 
+pub(crate) mod body;
 pub(crate) mod case;
+pub(crate) mod cavity;
 pub(crate) mod constraints;
 pub(crate) mod couple;
+mod enclosed;
 pub(crate) mod frozen;
 pub(crate) mod loads;
 pub(crate) mod own_contact;

@@ -3,7 +3,7 @@
 use contact::{Deepest, Law, Moving, NodalContact, Node, Pace, SurfaceContact, SurfaceTouch, Touching};
 use sph_core::Vec3;
 
-use crate::conditions::loads::{Block, place_block};
+use crate::conditions::body::{Block, place_block};
 use crate::conditions::touched::touched_mesh;
 use crate::error::ShellError;
 use crate::packs::Row;

@@ -2,8 +2,10 @@
 
 use sph_core::Vec3;
 
+use crate::conditions::body::{Block, Body};
 use crate::conditions::case::LoadCase;
-use crate::conditions::loads::{Block, Body, Load};
+use crate::conditions::cavity::Enclosed;
+use crate::conditions::loads::Load;
 use crate::conditions::prescribed::{Motion, Rotation};
 use crate::conditions::supports::{Holds, Support};
 use crate::error::ShellError;
@@ -27,6 +29,10 @@ impl Load for Preloaded<Box<dyn Load>> {
 
     fn check(&self, reference: &Reference) -> Result<(), ShellError> {
         self.0.check(reference)
+    }
+
+    fn enclosed(&self) -> Option<&Enclosed> {
+        self.0.enclosed()
     }
 
     fn case(&self) -> LoadCase {

@@ -2,7 +2,8 @@
 
 use sph_core::{Cell, Vec3};
 
-use crate::conditions::loads::{Block, Body, Load, place_block};
+use crate::conditions::body::{Block, Body, place_block};
+use crate::conditions::loads::Load;
 use crate::conditions::spread::check_cells;
 use crate::error::ShellError;
 use crate::reference::Reference;

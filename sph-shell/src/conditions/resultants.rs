@@ -70,7 +70,11 @@ impl Shell {
         let body = self.dependents.loaded(&self.reference, &self.motion.state);
         let share = |AppliedLoad { load, .. }: &AppliedLoad| {
             rows.fill([0.0; 6]);
-            load.add(1.0, &body, &mut rows);
+            match load.enclosed() {
+                // What is shut in has no pressure yet.
+                Some(enclosed) => enclosed.press(1.0, &body, &mut rows),
+                None => load.add(1.0, &body, &mut rows),
+            }
             self.dependents.ties.condense(&self.motion.state, &mut rows, |_, _| ());
             let (mut sums, mut touched, mut last) = ([[0.0; 2]; 2], 0_usize, 0);
             for (a, (row, state)) in rows.iter().zip(&self.motion.state).enumerate() {

@@ -7,8 +7,8 @@ use explicit_dynamics::{Amplitude, Instant};
 use implicit_statics::Front;
 use sph_core::Vec3;
 
+use crate::conditions::body::{Block, place_block};
 use crate::conditions::case::LoadCase;
-use crate::conditions::loads::{Block, place_block};
 use crate::conditions::stages::{self, Stages};
 use crate::error::ShellError;
 use crate::packs::Row;

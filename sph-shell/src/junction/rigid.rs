@@ -3,8 +3,9 @@
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
+use crate::conditions::body::{Block, Body};
 use crate::conditions::constraints::Constraints;
-use crate::conditions::loads::{Block, Body, Load, check_set};
+use crate::conditions::loads::{Load, check_set};
 use crate::conditions::supports::{Constraint, Holds};
 use crate::error::ShellError;
 use crate::junction::body::{Inertia, RigidBody};

@@ -14,7 +14,7 @@ use implicit_statics::BlockPattern;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector6};
 use sph_core::Vec3;
 
-use crate::conditions::loads::Block;
+use crate::conditions::body::Block;
 use crate::conditions::springs::BodySpring;
 use crate::error::ShellError;
 use crate::junction::group::{Group, Junctions};

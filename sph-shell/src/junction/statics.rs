@@ -7,7 +7,7 @@ use nalgebra::Matrix3;
 use sph_core::Vec3;
 
 use crate::Shell;
-use crate::conditions::loads::Block;
+use crate::conditions::body::Block;
 use crate::conditions::supports::{Constraint, DirectorHold};
 use crate::junction::group::{Group, Junctions, director, place};
 use crate::packs::Row;

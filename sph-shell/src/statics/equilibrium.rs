@@ -3,7 +3,7 @@
 use std::ops::DerefMut;
 
 use explicit_dynamics::Instant;
-use implicit_statics::{Equilibrium, Front, OutOfBounds, row_sums};
+use implicit_statics::{Equilibrium, Front, OutOfBounds, RankOne, row_sums};
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -53,6 +53,10 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
             })
         };
         Some((0..self.shell.len()).flat_map(of).collect())
+    }
+
+    fn beside_pattern(&mut self, level: f64) -> Vec<RankOne> {
+        self.beside(level)
     }
 
     fn keeps_factor(&self) -> bool {
@@ -143,6 +147,8 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         let mut values = vec![0.0; pattern.len()];
         self.tangent(level, &mut values);
         row_sums(&pattern, &values, out);
+        let ones = vec![1.0; out.len()];
+        self.beside(level).iter().for_each(|term| term.add_magnitudes(&ones, out));
         for a in 0..self.shell.len() {
             let (own, split) = (self.dofs.of(a), self.basis(a).translations);
             let (moves, turns) = out[own].split_at_mut(split);
@@ -201,6 +207,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn update(&mut self, increment: &[f64]) {
+        self.predict_volumes(increment);
         self.carried.clear();
         for a in 0..self.shell.len() {
             let (u, v) = self.basis(a).expand(&increment[self.dofs.of(a)]);
@@ -211,6 +218,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn transport(&mut self, motion: &mut [f64]) {
+        self.forget_volumes();
         if self.carried.is_empty() {
             self.carried = (0..self.shell.len()).map(|a| self.basis(a)).collect();
         }
@@ -254,6 +262,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn restore(&mut self, saved: &[f64]) {
+        self.forget_volumes();
         self.carried.clear();
         let state = self.shell.motion.state.as_flattened_mut();
         let (rows, history) = saved.split_at(state.len());
@@ -262,6 +271,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn commit(&mut self) {
+        self.forget_volumes();
         self.shell.commit();
         self.shell.hover();
     }

@@ -8,7 +8,7 @@ use implicit_statics::BlockPattern;
 use std::ops::DerefMut;
 
 use crate::Shell;
-use crate::conditions::loads::Block;
+use crate::conditions::body::Block;
 use crate::statics::static_shell::StaticShell;
 
 /// The largest entry of the skew part that counts as rounding, in units of the largest derivative.

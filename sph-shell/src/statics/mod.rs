@@ -2,6 +2,7 @@
 
 pub(crate) mod blocks;
 pub(crate) mod dofs;
+mod enclosed;
 mod equilibrium;
 mod joined;
 pub(crate) mod load_stiffness;

@@ -3,7 +3,7 @@
 use implicit_statics::BlockPattern;
 use std::ops::Range;
 
-use crate::conditions::loads::Block;
+use crate::conditions::body::Block;
 use crate::statics::dofs::{Basis, DofMap};
 
 /// Entries below which a thread's share is not divided.

@@ -7,8 +7,8 @@ use explicit_dynamics::Instant;
 use sph_core::Vec3;
 
 use crate::Shell;
+use crate::conditions::body::Block;
 use crate::conditions::case::LoadCase;
-use crate::conditions::loads::Block;
 use crate::packs::Row;
 use crate::statics::blocks::ShellPattern;
 use crate::statics::dofs::{Basis, DofMap};
@@ -62,6 +62,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
 
     /// The same, to put it into another state; whatever is evaluated is that of the state before.
     pub fn shell_mut(&mut self) -> &mut Shell {
+        self.forget_volumes();
         self.carried.clear();
         &mut self.shell
     }
@@ -218,6 +219,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
                 *value += product(row, &rates[b as usize]);
             }
         });
+        self.subtract_enclosed_rates(level, &rates, &mut rows);
         let shell = &*self.shell;
         shell.dependents.ties.condense(&shell.motion.state, &mut rows, |_, _| ());
         shell.second_derivatives(&self.pattern, None, &mut self.blocks);

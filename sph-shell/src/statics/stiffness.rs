@@ -15,7 +15,7 @@ use shell_kinematics::{
 };
 
 use crate::Shell;
-use crate::conditions::loads::Block;
+use crate::conditions::body::Block;
 use crate::control::cells::{CellState, PointTangent, ScaleTangent, VECTORS};
 use crate::dispatch::{Work, widest};
 use crate::packs::Row;

@@ -2,7 +2,7 @@
 
 use sph_core::Vec3;
 
-use crate::conditions::loads::Block;
+use crate::conditions::body::Block;
 use crate::packs::Row;
 
 /// `Σφx + Σηd, x,₁, x,₂, m, d,₁, d,₂`: what a hanging particle sees of its host.

@@ -1,6 +1,6 @@
 //! Ties in the blocks of the tangent.
 
-use crate::conditions::loads::Block;
+use crate::conditions::body::Block;
 use crate::packs::Row;
 use crate::statics::blocks::ShellPattern;
 use crate::ties::list::Ties;

@@ -53,7 +53,8 @@ impl LinearisedDynamics for Shell {
             if self.loading.touches() {
                 self.loading.add_contact_bounds(&self.motion.state, &home, force);
             }
-            if !self.loading.spring_forces.is_empty() || self.loading.touches() {
+            let encloses = self.press_of_enclosed(&home, force);
+            if !self.loading.spring_forces.is_empty() || self.loading.touches() || encloses {
                 self.dependents.ties.condense(&self.motion.state, force, |_, _| ());
             }
             for (a, row) in force.iter_mut().enumerate() {
@@ -119,6 +120,24 @@ impl MassScaled for Shell {
 }
 
 impl Shell {
+    /// Adds what the enclosed, as stiff as it may be, exerts more on a state than at home, to the first order of the volume; whether anything is
+    /// enclosed.
+    fn press_of_enclosed(&self, home: &[Row], force: &mut [Row]) -> bool {
+        let mut any = false;
+        for (enclosed, _) in self.loading.enclosed(1.0) {
+            any = true;
+            let (steepest, gradient) = enclosed.steepest(&self.loaded());
+            let moved = self.motion.state.iter().zip(home);
+            let along =
+                |(g, (now, was)): (&Row, (&Row, &Row))| (0..3).map(|k| g[k] * (now[k] - was[k])).sum::<f64>();
+            let change = gradient.iter().zip(moved).map(along).sum::<f64>() * steepest;
+            for (sum, g) in force.iter_mut().zip(&gradient) {
+                (0..3).for_each(|k| sum[k] -= change * g[k]);
+            }
+        }
+        any
+    }
+
     fn scaled<'a>(&'a self, group: &'a Group) -> Scaled<'a> {
         Scaled { group, state: &self.motion.state, constraint: self.constraint(group.first()) }
     }

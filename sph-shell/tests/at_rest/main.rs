@@ -6,6 +6,7 @@
 mod common;
 
 mod beams_on_springs;
+mod enclosed;
 mod even_bed;
 mod inertia;
 mod initial_stress;

@@ -4,7 +4,7 @@
 
 use explicit_dynamics::{Amplitude, March, MarchError, Plan, Record, Transient};
 use implicit_statics::{Equilibrium, force_error, linear_response, stiffness_error};
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use shell_kinematics::{
     Isotropic, IsotropicSection, LayeredSection, Orthotropic, Ply, StrainMeasure, StretchCorrected,
 };
@@ -191,6 +191,18 @@ impl Sheets {
         self
     }
 
+    /// The six faces of a box between the origin and a corner, so many cells along each axis; normals point out of it.
+    pub fn boxed(corner: Vec3, [nx, ny, nz]: [usize; 3]) -> Self {
+        let [x, y, z] = [X * corner.x, Y * corner.y, Z * corner.z];
+        Self::default()
+            .add(Vec3::zeros(), [y, x], [ny, nx])
+            .add(z, [x, y], [nx, ny])
+            .add(Vec3::zeros(), [z, y], [nz, ny])
+            .add(x, [y, z], [ny, nz])
+            .add(Vec3::zeros(), [x, z], [nx, nz])
+            .add(y, [z, x], [nz, nx])
+    }
+
     /// The cloud, sheets side by side without a joint.
     pub fn apart(self) -> Cloud {
         Cloud::from_sheets(self.positions, Some(self.normals), self.cells, Vec::new()).unwrap()
@@ -277,10 +289,15 @@ pub fn spectrum(body: Shell) -> Vec<f64> {
     let mut values = vec![0.0; pattern.len()];
     system.tangent(0.0, &mut values);
     let scale: Vec<f64> = system.masses().iter().map(|m| 1.0 / m.sqrt()).collect();
+    let beside = system.beside_pattern(0.0);
     let mut matrix = DMatrix::zeros(scale.len(), scale.len());
     for (&(i, j), &value) in pattern.iter().zip(&values) {
         matrix[(i, j)] = value * scale[i] * scale[j];
         matrix[(j, i)] = matrix[(i, j)];
+    }
+    for term in &beside {
+        let g = DVector::from_iterator(scale.len(), term.along.iter().zip(&scale).map(|(g, s)| g * s));
+        matrix += &g * g.transpose() * term.factor;
     }
     let mut values: Vec<f64> = SymmetricEigen::new(matrix).eigenvalues.iter().copied().collect();
     values.sort_by(|a, b| a.abs().total_cmp(&b.abs()));

@@ -6,6 +6,7 @@
 mod common;
 
 mod bounds;
+mod enclosed;
 mod energy;
 mod history;
 mod march;

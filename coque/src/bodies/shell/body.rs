@@ -9,6 +9,7 @@ use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
 
 use super::balance::unbalanced;
 use super::contacts::contacts;
+use super::enclosed::pulling;
 use super::fields::fields;
 use super::linear_forces::{LinearForces, numbers};
 use super::warnings::{among_preloaded_modes, between_lines};
@@ -21,6 +22,10 @@ use crate::scene::Measured;
 
 /// What a checkpoint calls the lists of a shell that touches itself.
 const CONTACT: &str = "where contact was looked for";
+/// What it calls the history of a shell with memory.
+const HISTORY: &str = "history of the points";
+/// What it calls the pressures of what a shell encloses.
+const ENCLOSED: &str = "pressures of what is enclosed";
 
 impl Body for Shell {
     fn configuration(&self) -> Configuration<'_> {
@@ -42,6 +47,8 @@ impl Body for Shell {
                 (self.position(a).cross(&self.reaction(a)) + self.reaction_moment(a)).dot(along)
             }
             Measured::Velocity => self.velocity(a).dot(along),
+            Measured::EnclosedPressure => self.enclosed_at(a)[0],
+            Measured::EnclosedVolume => self.enclosed_at(a)[1],
             // The checks leave a shell no other column.
             _ => 0.0,
         }
@@ -93,7 +100,7 @@ impl Body for Shell {
     }
 
     fn diagnostics(&self) -> Diagnostics {
-        let warnings = between_lines(self).into_iter().chain(warnings(self)).collect();
+        let warnings = between_lines(self).into_iter().chain(warnings(self)).chain(pulling(self)).collect();
         Diagnostics { fluid: None, warnings }
     }
 
@@ -106,31 +113,30 @@ impl Body for Shell {
         let [state, rates] = self.motion().map(<[[f64; 6]]>::as_flattened);
         let motion =
             [StateArray::new("positions and directors", state), StateArray::new("their rates", rates)];
-        let history = Some(self.history()).filter(|history| !history.is_empty());
-        let history = history
-            .map(|numbers| StateArray { name: "history of the points".into(), numbers: numbers.into() });
-        let contact = Some(self.contact_state()).filter(|kept| !kept.is_empty());
-        let contact = contact.map(|numbers| StateArray { name: CONTACT.into(), numbers: numbers.into() });
-        motion.into_iter().chain(history).chain(contact).collect()
+        let kept = [
+            (HISTORY, self.history()),
+            (CONTACT, self.contact_state()),
+            (ENCLOSED, self.enclosed_extremes()),
+        ];
+        let kept = kept.into_iter().filter(|(_, numbers)| !numbers.is_empty());
+        let kept = kept.map(|(name, numbers)| StateArray { name: name.into(), numbers: numbers.into() });
+        motion.into_iter().chain(kept).collect()
     }
 
     fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
-        let (motion, history) = arrays.split_at_checked(2).ok_or(Mismatch)?;
+        let (motion, kept) = arrays.split_at_checked(2).ok_or(Mismatch)?;
         let [state, rates] = motion else { return Err(Mismatch) };
-        let (history, contact) = match history {
-            [history @ .., contact] if contact.name == CONTACT => (history, &contact.numbers[..]),
-            history => (history, &[][..]),
-        };
-        let history = match history {
-            [] => &[][..],
-            [history] => &history.numbers,
-            _ => return Err(Mismatch),
-        };
+        if kept.iter().any(|array| ![HISTORY, CONTACT, ENCLOSED].contains(&&*array.name)) {
+            return Err(Mismatch);
+        }
+        let of =
+            |name: &str| kept.iter().find(|array| array.name == name).map_or(&[][..], |own| &own.numbers);
+        let [history, contact, enclosed] = [HISTORY, CONTACT, ENCLOSED].map(of);
         let (state, left) = state.numbers.as_chunks::<6>();
         let (rates, over) = rates.numbers.as_chunks::<6>();
         let whole = left.is_empty() && over.is_empty();
         let motion = whole && self.take_up([state, rates]) && self.take_up_history(history);
-        let fits = motion && self.take_up_contact(contact);
+        let fits = motion && self.take_up_contact(contact) && self.take_up_extremes(enclosed);
         if fits { Ok(()) } else { Err(Mismatch) }
     }
 }

@@ -4,10 +4,8 @@ use std::collections::BTreeMap;
 
 use explicit_dynamics::Amplitude;
 use nalgebra::Rotation3;
-use sph_core::{Cell, Cloud, EndWeights, Vec3};
-use sph_shell::{
-    AppliedLoad, CoupleAxis, Parts, Shell, ShellError, StaticShell, Supported, Wetting, origin_of,
-};
+use sph_core::{Cell, Vec3};
+use sph_shell::{AppliedLoad, Parts, Shell, ShellError, StaticShell, Supported, Wetting, origin_of};
 
 use super::balance::warning_of_start;
 use super::cells::CellSets;
@@ -16,15 +14,14 @@ use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
 use super::places;
 use super::rigid::free_motions;
-use super::sections::Sections;
 use super::warnings::{warnings_of, warnings_of_shapes};
 use crate::bodies::memory::{check_memory, particles_asked};
 use crate::bodies::refusal::{not_a, refuse_dof, refuse_free_motion};
-use crate::bodies::sets::{self, Sets};
+use crate::bodies::sets::Sets;
 use crate::bodies::{BuiltBody, Identity, Memory, Model, PrescribedPoint, Probe, Ready, Shape};
 use crate::scene::body_in_scene::ShellInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{self, Axis, Checked, LoadKind, SupportKind};
+use crate::scene::{self, Checked, SupportKind};
 use crate::warning::{Warning, WarningKind};
 
 impl Checked {
@@ -294,104 +291,5 @@ impl Builder<'_> {
             // It holds nothing.
             SupportKind::Spring(_) => return None,
         })
-    }
-
-    fn loads(
-        &self,
-        sets: &Sets,
-        cells: &CellSets<'_>,
-        sections: &Sections,
-        cloud: &Cloud,
-        weights: EndWeights,
-        imported: Option<&Imported>,
-    ) -> Result<Vec<AppliedLoad>, SceneError> {
-        let mut loads = Vec::new();
-        for load in &self.scene.loads {
-            let path = load.at("on");
-            let of_case = |applied: AppliedLoad| match load.preload {
-                true => AppliedLoad { load: Box::new(sph_shell::Preloaded(applied.load)), ..applied },
-                false => applied,
-            };
-            if load.acts_on_cells() {
-                let factors = self.factors(load, cloud.len())?;
-                let cells = cells.at(&path, load.on)?;
-                let found = self.load_on_cells(load, cells, factors, sections, cloud);
-                loads.extend(found.into_iter().map(of_case));
-                continue;
-            }
-            let particles = sets.at(self.scene, &path, load.on)?;
-            let edge = match imported {
-                None => sets::edge(load.on, particles, cloud, weights),
-                Some(imported) => imported.edge(self.scene, &path, load, particles)?,
-            };
-            let shares = edge.unwrap_or_else(|| sets::places(cloud, particles).map(|a| (a, 1.0)).collect());
-            for (_, kind) in load.kinds() {
-                let amplitude = load.amplitude.clone().unwrap_or_default();
-                let found = match self.load_on_body(&kind, load.on) {
-                    Some(on_body) => Some(Box::new(on_body) as _),
-                    None => self.load(kind, shares.clone()),
-                };
-                loads.extend(found.map(|load| of_case(AppliedLoad { load, amplitude })));
-            }
-        }
-        Ok(loads)
-    }
-
-    fn load(&self, kind: LoadKind, shares: Vec<(u32, f64)>) -> Option<Box<dyn sph_shell::Load>> {
-        Some(match kind {
-            LoadKind::Force(force) => Box::new(sph_shell::Force { shares, total: self.turned(force.total) }),
-            LoadKind::Couple(couple) => Box::new(sph_shell::EdgeCouple {
-                edge: shares,
-                moment: couple.moment,
-                axis: match couple.axis {
-                    Axis::Edge => CoupleAxis::Edge,
-                    Axis::Fixed(axis) => CoupleAxis::Fixed(self.turned(axis).normalize()),
-                },
-            }),
-            LoadKind::Pressure(p) => Box::new(sph_shell::Pressure { value: p.value(), follower: p.follower }),
-            LoadKind::Gravity(g) => {
-                Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) })
-            }
-            // It acts on cells.
-            LoadKind::Traction(_) => return None,
-        })
-    }
-
-    /// What acts on some cells.
-    fn load_on_cells(
-        &self,
-        load: &scene::Load,
-        cells: Vec<u32>,
-        factors: Vec<f64>,
-        sections: &Sections,
-        cloud: &Cloud,
-    ) -> Vec<AppliedLoad> {
-        let areas = || sph_shell::spread(cloud, &cells, |_| 1.0);
-        let sum = |shares: &[(u32, f64)]| shares.iter().map(|(_, share)| share).sum::<f64>();
-        let dead = |shares: Vec<(u32, f64)>, total: Vec3| Box::new(sph_shell::Force { shares, total });
-        let of = |(_, kind): (&str, LoadKind)| -> Option<Box<dyn sph_shell::Load>> {
-            Some(match kind {
-                LoadKind::Force(force) => dead(areas(), self.turned(force.total)),
-                LoadKind::Traction(traction) => {
-                    let shares = areas();
-                    let total = self.turned(traction.value) * sum(&shares);
-                    dead(shares, total)
-                }
-                LoadKind::Gravity(gravity) => {
-                    let masses = sph_shell::spread(cloud, &cells, |cell| sections.area_density(cell));
-                    let total = self.turned(gravity.acceleration) * sum(&masses);
-                    dead(masses, total)
-                }
-                LoadKind::Pressure(p) => Box::new(sph_shell::PressurePatch {
-                    pressure: sph_shell::Pressure { value: p.value(), follower: p.follower },
-                    cells: cells.clone(),
-                    factors: factors.clone(),
-                }),
-                LoadKind::Couple(_) => return None,
-            })
-        };
-        let amplitude = || load.amplitude.clone().unwrap_or_default();
-        let loads = load.kinds().into_iter().filter_map(of);
-        loads.map(|load| AppliedLoad { load, amplitude: amplitude() }).collect()
     }
 }

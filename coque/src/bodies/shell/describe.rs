@@ -209,6 +209,8 @@ fn describe_load(word: &str, kind: &LoadKind) -> String {
     match kind {
         LoadKind::Couple(couple) if couple.axis == Axis::Edge => "couple about the moving edge".into(),
         LoadKind::Pressure(pressure) if pressure.follower => "follower pressure".into(),
+        LoadKind::Gas(_) => "enclosed gas".into(),
+        LoadKind::Volume(_) => "enclosed liquid".into(),
         _ => word.into(),
     }
 }

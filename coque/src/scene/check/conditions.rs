@@ -4,6 +4,7 @@ use explicit_dynamics::Amplitude;
 use sph_core::Vec3;
 
 use super::amplitude::check_amplitude;
+use super::enclosed::check_enclosed;
 use super::fluid::{check_load_of_fluid, check_unsupported};
 use super::rigid::{check_rigid_load, check_rigid_support};
 use super::sets::{check_set_name, only_on};
@@ -188,6 +189,7 @@ pub(super) fn check_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Ver
                 }
             }
             LoadKind::Pressure(pressure) => check_pressure(s, at, pressure)?,
+            LoadKind::Gas(_) | LoadKind::Volume(_) => check_enclosed(scene, load)?,
             LoadKind::Gravity(g) => s.sized_all(&format!("{at}.gravity.acceleration"), &g.acceleration)?,
             LoadKind::Traction(_) => check_traction(scene, load)?,
         }

@@ -60,8 +60,24 @@ fn check_measured(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
         let bound = format!("no velocity in {}", scene.analysis.kind().name);
         return refuse("of", "\"velocity\"", &bound, "use [analysis.explicit.transient]");
     }
+    check_enclosed(scene, probe)?;
     check_face_of_stress(scene, probe)?;
     check_measured_alike(scene.body, s, probe)
+}
+
+/// What is enclosed is measured on the set of its load.
+fn check_enclosed(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    if !matches!(probe.of, Measured::EnclosedPressure | Measured::EnclosedVolume) {
+        return Ok(());
+    }
+    let sets: Vec<&str> = scene.loads.iter().filter(|load| load.encloses()).map(|load| load.on).collect();
+    if sets.contains(&probe.on) {
+        return Ok(());
+    }
+    let named: Vec<String> = sets.iter().map(|on| format!("\"{on}\"")).collect();
+    let (bound, repair) = ("the set of no `gas` and no `volume`", format!("write {}", named.join(" or ")));
+    let fault = scene.scope().fault(&probe.at("on"), &format!("\"{}\"", probe.on), bound, &repair);
+    Err(SceneError::Set(fault))
 }
 
 /// Stresses are those of a face, of a section whose stresses run linearly.
@@ -163,9 +179,10 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
 fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
         BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director, Displacement,
-        Energy, Flux, Force, FractureEnergy, FrictionLoss, GreatestDepth, Level, MembraneForce, Moment,
-        Pieces, PlasticStrain, PlasticWork, Position, Pressure, Reaction, ReactionMoment, Rotation,
-        ShearForce, StrainEnergy, Stress, Thickness, TouchingArea, Velocity, VonMises, WetLength,
+        EnclosedPressure, EnclosedVolume, Energy, Flux, Force, FractureEnergy, FrictionLoss, GreatestDepth,
+        Level, MembraneForce, Moment, Pieces, PlasticStrain, PlasticWork, Position, Pressure, Reaction,
+        ReactionMoment, Rotation, ShearForce, StrainEnergy, Stress, Thickness, TouchingArea, Velocity,
+        VonMises, WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
@@ -202,6 +219,9 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     known.extend(rubs(scene).then_some(FrictionLoss));
     if scene.as_shell().is_some_and(ShellScene::yields) {
         known.extend([PlasticStrain, Thickness, PlasticWork]);
+    }
+    if scene.loads.iter().any(|load| load.encloses()) {
+        known.extend([EnclosedPressure, EnclosedVolume]);
     }
     if solid.is_some() {
         known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);

@@ -5,6 +5,7 @@ mod analysis;
 mod conditions;
 mod contact;
 mod curve;
+mod enclosed;
 mod fluid;
 mod gauges;
 mod glue;

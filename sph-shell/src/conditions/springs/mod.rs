@@ -14,7 +14,8 @@ mod turning;
 
 use sph_core::Vec3;
 
-use crate::conditions::loads::{Block, Body, check_set, place_block};
+use crate::conditions::body::{Block, Body, place_block};
+use crate::conditions::loads::check_set;
 use crate::error::ShellError;
 use crate::packs::Row;
 use crate::reference::Reference;

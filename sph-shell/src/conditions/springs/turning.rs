@@ -13,7 +13,7 @@
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
-use crate::conditions::loads::{Block, Body, place_block};
+use crate::conditions::body::{Block, Body, place_block};
 use crate::error::ShellError;
 use crate::packs::Row;
 use crate::reference::Reference;

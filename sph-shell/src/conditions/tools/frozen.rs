@@ -4,8 +4,8 @@ use contact::{Friction, FrontChange, Motion};
 use explicit_dynamics::Instant;
 
 use super::{Tools, place};
+use crate::conditions::body::{Block, place_block};
 use crate::conditions::case::LoadCase;
-use crate::conditions::loads::{Block, place_block};
 use crate::packs::Row;
 
 impl Tools {

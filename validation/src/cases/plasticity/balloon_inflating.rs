@@ -16,7 +16,7 @@ use crate::{JudgeError, Metric, Outcome};
 const SCENE: &str = include_str!("../../../../scenes/meshes/balloon-inflating.toml");
 const OFF: &str = "greatest error of the pressure";
 const TURN: &str = "stretch at the greatest pressure";
-const RADIUS: f64 = 10.0;
+pub(super) const RADIUS: f64 = 10.0;
 /// Pressure of level one times R/t \[F/L²\].
 const UNIT: f64 = 0.01 * RADIUS / 0.1;
 const C1: f64 = 0.5;
@@ -58,15 +58,21 @@ fn balloon(cells: usize, law: &'static str) -> Variant {
 }
 
 fn run(cells: usize, law: &str) -> Result<Outcome, String> {
+    let mooney = [("material.rubber.law", "{ mooney-rivlin = { c1 = 0.5, c2 = 0.05 } }")];
+    on_octant(SCENE, cells, if law == "Mooney" { &mooney } else { &[] })
+}
+
+/// A scene on an eighth of the balloon, three blocks of so many cells a side.
+pub(super) fn on_octant(scene: &str, cells: usize, set: &[(&str, &str)]) -> Result<Outcome, String> {
     let mesh = octant(cells).mapped(|x| x * RADIUS);
     let near = |value: f64| value.abs() < 1e-9;
     let sets: [Set<'_>; 3] =
         [("X", &|place| near(place.x)), ("Y", &|place| near(place.y)), ("Z", &|place| near(place.z))];
-    let mooney = [("material.rubber.law", "{ mooney-rivlin = { c1 = 0.5, c2 = 0.05 } }")];
-    on_mesh(SCENE, &mesh, &sets, if law == "Mooney" { &mooney } else { &[] })
+    on_mesh(scene, &mesh, &sets, set)
 }
 
-fn pressure(stretch: f64, c2: f64) -> f64 {
+/// Pressure times radius over thickness, both at rest \[F/L²\].
+pub(super) fn pressure(stretch: f64, c2: f64) -> f64 {
     4.0 * (C1 + c2 * stretch * stretch) * (1.0 / stretch - pow(stretch, -7.0))
 }
 

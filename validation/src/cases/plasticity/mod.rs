@@ -1,6 +1,7 @@
 //! Shells and solids that yield; a new case is a file, a line here, and one in the list.
 
 mod balloon_inflating;
+mod balloon_pumped;
 mod bricks;
 mod column_yielding;
 mod cook_yielding;
@@ -20,7 +21,7 @@ mod tube_crushed;
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 15] {
+pub fn all() -> [Case; 16] {
     [
         strip_necking::case(),
         strip_fibre_metal::case(),
@@ -36,6 +37,7 @@ pub fn all() -> [Case; 15] {
         cook_yielding::case(),
         disc_yielding::case(),
         balloon_inflating::case(),
+        balloon_pumped::case(),
         cylinder_bursting::case(),
     ]
 }

@@ -22,6 +22,7 @@ mod pinched_cylinder;
 pub mod pinched_cylinder_large;
 pub mod plate;
 mod plate_frequencies;
+mod plate_on_gas;
 pub mod point_load_smoothness;
 mod ring;
 mod ring_green_lagrange;
@@ -58,6 +59,7 @@ pub fn all() -> Vec<Case> {
         [
             plate::case(),
             plate_frequencies::case(),
+            plate_on_gas::case(),
             stepped_plate::case(),
             initial_stress::case(),
             joined_cantilevers::case(),

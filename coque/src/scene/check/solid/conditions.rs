@@ -82,7 +82,7 @@ pub(in super::super) fn check_solid_load(
                     return Err(SceneError::Choice(fault));
                 }
             }
-            LoadKind::Couple(_) | LoadKind::Pressure(_) => {
+            LoadKind::Couple(_) | LoadKind::Pressure(_) | LoadKind::Gas(_) | LoadKind::Volume(_) => {
                 let bound = match solid.galerkin() {
                     None => "`force`, `traction` or `gravity` on a solid",
                     Some(_) => "`force`, `traction`, `pressure` or `gravity` on a solid",
