@@ -108,10 +108,73 @@ fn a_run_that_fails_stops_no_other() {
     assert!(said(&output).contains("1 of 4 runs done"));
 }
 
+/// Three jobs into one folder, then one table: that of one sweep but for wall times; a part that lacks, or is another sweep's, is named.
+#[test]
+fn parts_make_the_table_of_the_whole() {
+    let over =
+        ["--over", "material.elastic.young=1e5,2e5", "--over", "section.homogeneous.thickness=0.01,-1,0.02"];
+    let (_, whole) = sweep("whole", &over);
+    let (first, out) = sweep("parts", &[&over[..], &["--only", "1/3"]].concat());
+    assert_eq!(first.status.code(), Some(0), "{}", said(&first));
+    assert!(said(&first).contains("2 of 2 runs done; they are in "), "{}", said(&first));
+    let coque = |arguments: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_coque"))
+            .arg("sweep")
+            .args(arguments)
+            .current_dir(root())
+            .output()
+            .unwrap()
+    };
+    let folder = out.display().to_string();
+    let collect = || coque(&["--collect", &folder]);
+    assert!(said(&collect()).contains("these are missing: 2, 3"), "{}", said(&collect()));
+    let part = |over: &[&str], only: &str| {
+        coque(&[&["scenes/patch-test.toml", "--out", &folder], over, &["--only", only]].concat())
+    };
+    // Counted from zero, the last is number zero.
+    assert_eq!(part(&over, "2/3").status.code(), Some(3));
+    let other = ["--over", "material.elastic.young=3e5"];
+    part(&other, "0/3");
+    assert!(said(&collect()).contains("part-3-of-3.json is a part of another sweep"), "{}", said(&collect()));
+    part(&over, "0/3");
+    let all = collect();
+    assert_eq!(all.status.code(), Some(3), "{}", said(&all));
+    assert!(said(&all).contains("4 of 6 runs done"), "{}", said(&all));
+    let table = |folder: &Path| -> Vec<String> {
+        let text = fs::read_to_string(folder.join("sweep.csv")).unwrap();
+        let wall = text.lines().next().unwrap().split(',').position(|name| name == "wall [s]").unwrap();
+        let without = |line: &str| {
+            // Refusals are quoted, and have no commas in front of the wall time but in them.
+            let cells: Vec<&str> = line.split(',').collect();
+            if line.contains('"') {
+                line.to_string()
+            } else {
+                [&cells[..wall], &cells[wall + 1..]].concat().join(",")
+            }
+        };
+        text.lines().map(without).collect()
+    };
+    assert_eq!(table(&whole), table(&out));
+    assert!(out.join("006/curve.csv").exists());
+    // A whole sweep into the same folder takes the parts away.
+    coque(&[&["scenes/patch-test.toml", "--out", &folder], &over[..]].concat());
+    assert!(!out.join("part-1-of-3.json").exists());
+}
+
 #[test]
 fn what_cannot_be_swept_is_refused() {
     let empty = sweep("empty", &["--over", "material.elastic.young=1,,2"]).0;
     assert_eq!(empty.status.code(), Some(2));
     assert!(said(&empty).contains("a value is empty; write PATH=V1,V2,"));
     assert_eq!(sweep("nothing", &[]).0.status.code(), Some(2));
+    let part = sweep("part", &["--over", "material.elastic.young=1,2", "--only", "3/2"]).0;
+    assert_eq!(part.status.code(), Some(2));
+    assert!(said(&part).contains("write K/N"), "{}", said(&part));
+    let none = Command::new(env!("CARGO_BIN_EXE_coque"))
+        .args(["sweep", "--collect", "scenes"])
+        .current_dir(root())
+        .output()
+        .unwrap();
+    assert_eq!(none.status.code(), Some(2));
+    assert!(said(&none).contains("no parts of a sweep are in scenes"), "{}", said(&none));
 }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::str::FromStr;
 
 /// A column of a [`Curve`].
-#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Column {
     /// Name, such as `minus_U_tip`.
     pub name: String,

@@ -1,16 +1,23 @@
 //! `coque sweep`: runs a scene for every combination of values, several at a time, one table out.
 
+mod combinations;
+mod parts;
+mod table;
+
 use std::fs;
-use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
+use combinations::combinations;
+use parts::{Only, Part};
+use table::{Row, write_table};
+
 use crate::{
-    Column, Curve, Ended, FieldFiles, FieldSink, GrowingCurve, Model, Outcome, Progress, ProgressReport,
-    ResultFolder, RunOptions, Scene, Warning, read_text, write_whole,
+    Curve, Ended, FieldFiles, FieldSink, GrowingCurve, Model, Outcome, Progress, ProgressReport,
+    ResultFolder, RunOptions, Scene, read_text, write_whole,
 };
 use clap::Args;
 
@@ -22,9 +29,10 @@ use super::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, NOT_SETTLED};
 #[derive(Args)]
 pub struct Sweep {
     /// The scene, a TOML file.
-    scene: PathBuf,
+    #[arg(required_unless_present = "collect")]
+    scene: Option<PathBuf>,
     /// A value of the scene and what to replace it by in turn; given several times, every combination is run.
-    #[arg(long, value_name = "PATH=V1,V2,…", value_parser = replacement, required = true)]
+    #[arg(long, value_name = "PATH=V1,V2,…", value_parser = replacement, required_unless_present = "collect")]
     over: Vec<(String, String)>,
     /// Replace a value in all runs.
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = replacement)]
@@ -35,12 +43,21 @@ pub struct Sweep {
     /// Folder for the results [default: out/<name of the scene>-sweep].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Run one part of N alone: the runs whose numbers leave K over N, for one of N jobs of a cluster into one folder.
+    #[arg(long, value_name = "K/N")]
+    only: Option<Only>,
+    /// Make sweep.csv of the parts in a folder, and run nothing.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["scene", "over", "replaced", "out", "only", "jobs"])]
+    collect: Option<PathBuf>,
 }
 
 pub const HELP: &str = "\
 Examples:
   coque sweep scenes/ring.toml --over section.homogeneous.thickness=0.5,1,2 --jobs 2
   coque sweep scenes/panel.toml --over 'geometry.cylinder.particles=[11, 11],[21, 21]' --over formulation.nodal.order=1,2
+
+  coque sweep scenes/ring.toml --over section.homogeneous.thickness=0.5,1,2 --out out/all --only 2/3     on one machine of three
+  coque sweep --collect out/all                                                                         then, on any of them
 
 Values are TOML; commas within brackets and quotes belong to the value.
 
@@ -49,6 +66,7 @@ Results, in DIR:
                  wall time, and the last row of its curve; of modes a row each
   001/curve.csv  the curve of each run, by number
   001/fields/    with [output.fields]: the frames of each run, shell.pvd for ParaView
+  part-2-of-3.json   with --only, in place of sweep.csv: the rows of its runs
 
 A run that is refused or diverges does not stop the others. Ctrl-C ends all of them in good order.
 Exit codes: 0 all done, 2 bad input, 3 one refused or diverged, 4 all done but one did not settle, 130 interrupted.";
@@ -56,37 +74,17 @@ Exit codes: 0 all done, 2 bad input, 3 one refused or diverged, 4 all done but o
 /// Column of a curve whose rows are modes.
 const MODE: &str = "mode";
 
-/// Combinations beyond which a list of values is taken for a mistake.
-const MOST_RUNS: usize = 100_000;
-
-/// What became of one run.
-struct Row {
-    ended: String,
-    /// Exit code of such a run.
-    code: u8,
-    seconds: f64,
-    columns: Vec<Column>,
-    /// The last row of its curve; all rows where they are modes.
-    found: Vec<Vec<f64>>,
-    warnings: Vec<Warning>,
-}
-
-impl Row {
-    /// Words of its warnings, each once.
-    fn warnings(&self) -> String {
-        let mut words: Vec<&str> = self.warnings.iter().map(|warning| warning.kind.word()).collect();
-        words.sort_unstable();
-        words.dedup();
-        words.join(" ")
-    }
-}
-
-/// Runs all combinations; the table is written whatever becomes of them.
+/// Runs all combinations, or a part of them; the table is written whatever becomes of them.
 pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
-    let file = sweep.scene.display().to_string();
-    let text = read_text(&sweep.scene).map_err(|e| format!("cannot read {file}: {e}\n"))?;
+    if let Some(folder) = &sweep.collect {
+        let (over, runs, rows) = parts::collect(folder)?;
+        return report(folder, &over, &runs, &rows, false);
+    }
+    let Some(path) = &sweep.scene else { return Ok(BAD_INPUT) };
+    let file = path.display().to_string();
+    let text = read_text(path).map_err(|e| format!("cannot read {file}: {e}\n"))?;
     let runs = combinations(&sweep.over)?;
-    let stem = sweep.scene.file_stem().unwrap_or("scene".as_ref()).to_string_lossy();
+    let stem = path.file_stem().unwrap_or("scene".as_ref()).to_string_lossy();
     let out = sweep.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{stem}-sweep")));
     let scene = Scene::with_overrides(&text, &file, &sweep.replaced);
     if scene.is_ok_and(|scene| scene.error.is_some()) {
@@ -94,19 +92,25 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
             "warning: a sweep finds no errors, and [error] is left out; run what counts by `coque run --error`",
         );
     }
-    let folder = take(&out)?;
+    let own: Vec<usize> =
+        (0..runs.len()).filter(|&number| sweep.only.is_none_or(|only| only.has(number))).collect();
+    // Parts share a folder, and each run has its own.
+    let folder = if sweep.only.is_none() { Some(take(&out)?) } else { None };
     stop.begin();
-    folder.clear()?;
-    clear_runs(&out)?;
+    if let Some(folder) = &folder {
+        folder.clear()?;
+        clear_runs(&out)?;
+        parts::clear(&out)?;
+    }
     let next = AtomicUsize::new(0);
     let rows: Mutex<Vec<Option<Row>>> = Mutex::new(runs.iter().map(|_| None).collect());
     let work = || {
         loop {
-            let number = next.fetch_add(1, Ordering::Relaxed);
             if stop.asked() {
                 return;
             }
-            let Some(values) = runs.get(number) else { return };
+            let Some(&number) = own.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
+            let values = &runs[number];
             let replaced = [&sweep.replaced[..], &values[..]].concat();
             let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), stop);
             let named: Vec<String> = values.iter().map(|(path, value)| format!("{path}={value}")).collect();
@@ -122,27 +126,52 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
         }
     };
     std::thread::scope(|scope| {
-        for _ in 0..usize::from(sweep.jobs).min(runs.len()) {
+        for _ in 0..usize::from(sweep.jobs).min(own.len()) {
             scope.spawn(work);
         }
     });
     let rows = rows.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let Some(only) = sweep.only else { return report(&out, &sweep.over, &runs, &rows, stop.asked()) };
+    let rows = rows.into_iter().enumerate().filter_map(|(number, row)| Some((number, row?))).collect();
+    let part = Part { only, text, over: sweep.over.clone(), replaced: sweep.replaced.clone(), rows };
+    let file = part.write(&out)?;
+    let done: Vec<u8> = part.rows.iter().map(|(_, row)| row.code).collect();
+    let finished = done.iter().filter(|code| [DONE, NOT_SETTLED].contains(code)).count();
+    say(&format!("{finished} of {} runs done; they are in {}", own.len(), file.display()));
+    Ok(code_of(own.len(), &done, stop.asked()))
+}
+
+/// Writes the table and tells what became of all runs.
+fn report(
+    out: &Path,
+    over: &[(String, String)],
+    runs: &[combinations::Values],
+    rows: &[Option<Row>],
+    interrupted: bool,
+) -> Result<u8, Refused> {
     let table = out.join(ResultFolder::TABLE);
-    write_whole(&table, |to| write_table(to, &sweep.over, &runs, &rows))
+    write_whole(&table, |to| write_table(to, over, runs, rows))
         .map_err(|e| format!("cannot write {}: {e}\n", table.display()))?;
-    let of = |code: u8| rows.iter().flatten().filter(|row| row.code == code).count();
-    let unsettled = of(NOT_SETTLED);
-    let done = of(DONE) + unsettled;
+    let codes: Vec<u8> = rows.iter().flatten().map(|row| row.code).collect();
+    let unsettled = codes.iter().filter(|&&code| code == NOT_SETTLED).count();
+    let done = codes.iter().filter(|&&code| code == DONE).count() + unsettled;
     say(&format!("{done} of {} runs done; the table is {}", runs.len(), table.display()));
     if unsettled > 0 {
         say(&format!("not settled: {unsettled} of them"));
     }
-    Ok(match () {
-        () if stop.asked() => INTERRUPTED,
-        () if done < runs.len() => DIVERGED,
-        () if unsettled > 0 => NOT_SETTLED,
+    Ok(code_of(runs.len(), &codes, interrupted))
+}
+
+/// The exit code of so many runs, by those of the runs that were made.
+fn code_of(runs: usize, codes: &[u8], interrupted: bool) -> u8 {
+    let unsettled = codes.contains(&NOT_SETTLED);
+    let done = codes.iter().filter(|&code| [DONE, NOT_SETTLED].contains(code)).count();
+    match () {
+        () if interrupted => INTERRUPTED,
+        () if done < runs => DIVERGED,
+        () if unsettled => NOT_SETTLED,
         () => DONE,
-    })
+    }
 }
 
 /// One run; whatever happens becomes a row.
@@ -175,7 +204,8 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
     let Curve { columns, rows } = outcome.curve;
     let first =
         if columns.iter().any(|column| column.name == MODE) { 0 } else { rows.len().saturating_sub(1) };
-    let found = rows[first..].to_vec();
+    let shown = |row: &Vec<f64>| row.iter().map(|value| format!("{value:?}")).collect();
+    let found = rows[first..].iter().map(shown).collect();
     let seconds = begun.elapsed().as_secs_f64();
     let (ended, warnings) = (outcome.ended.to_string(), outcome.summary.record.warnings);
     Row { ended, code, seconds, columns, found, warnings }
@@ -236,121 +266,5 @@ impl Progress for Watch<'_> {
     fn recorded(&mut self, curve: &Curve) {
         // Rows that find no room now may do so at the end, whose fault is reported.
         let _ = self.curve.take(curve);
-    }
-}
-
-type Values = Vec<(String, String)>;
-
-/// Every combination of the values, the last list running fastest.
-fn combinations(over: &[(String, String)]) -> Result<Vec<Values>, String> {
-    let mut runs = vec![Values::new()];
-    for (path, list) in over {
-        let values = split(list);
-        if values.iter().any(|value| value.is_empty()) {
-            return Err(format!("--over {path}={list}: a value is empty; write PATH=V1,V2,…\n"));
-        }
-        if runs.len() * values.len() > MOST_RUNS {
-            return Err(format!("more than {MOST_RUNS} combinations; give fewer values\n"));
-        }
-        let with = |run: &Values, value: &&str| {
-            let mut run = run.clone();
-            run.push((path.clone(), (*value).to_owned()));
-            run
-        };
-        runs = runs.iter().flat_map(|run| values.iter().map(move |value| with(run, value))).collect();
-    }
-    Ok(runs)
-}
-
-/// Parts between commas that stand in no bracket and no quotes.
-fn split(list: &str) -> Vec<&str> {
-    let (mut depth, mut quote, mut start) = (0_i32, None, 0);
-    let mut parts = Vec::new();
-    for (at, c) in list.char_indices() {
-        match (quote, c) {
-            (Some(open), _) if c == open => quote = None,
-            (Some(_), _) => {}
-            (None, '"' | '\'') => quote = Some(c),
-            (None, '[' | '{') => depth += 1,
-            (None, ']' | '}') => depth -= 1,
-            (None, ',') if depth == 0 => {
-                parts.push(list[start..at].trim());
-                start = at + 1;
-            }
-            _ => {}
-        }
-    }
-    parts.push(list[start..].trim());
-    parts
-}
-
-/// The table: columns of curves are those of the first run that has any, found by name in the others.
-fn write_table(
-    to: &mut impl Write,
-    over: &[(String, String)],
-    runs: &[Values],
-    rows: &[Option<Row>],
-) -> std::io::Result<()> {
-    let mut columns: Vec<&Column> = Vec::new();
-    for column in rows.iter().flatten().flat_map(|row| &row.columns) {
-        if !columns.contains(&column) {
-            columns.push(column);
-        }
-    }
-    let titles = columns.iter().map(|column| column.title());
-    let paths = over.iter().map(|(path, _)| quoted(path));
-    let head: Vec<String> = std::iter::once("run".into())
-        .chain(paths)
-        .chain(["ended".into(), "warnings".into(), "wall [s]".into()])
-        .chain(titles)
-        .collect();
-    writeln!(to, "{}", head.join(","))?;
-    for (number, (values, row)) in runs.iter().zip(rows).enumerate() {
-        let values = values.iter().map(|(_, value)| quoted(value));
-        let mut cells: Vec<String> = std::iter::once((number + 1).to_string()).chain(values).collect();
-        match row {
-            None => cells.extend(["not run".into(), String::new(), String::new()]),
-            Some(row) => {
-                cells.extend([quoted(&row.ended), row.warnings(), format!("{:.3}", row.seconds)]);
-            }
-        }
-        let known = row.as_ref().map_or(&[][..], |row| &row.columns);
-        let places: Vec<_> = columns.iter().map(|column| known.iter().position(|k| k == *column)).collect();
-        let none = vec![vec![]];
-        let found = row.as_ref().map(|row| &row.found).filter(|found| !found.is_empty()).unwrap_or(&none);
-        for values in found {
-            let value = |place: &Option<usize>| values.get((*place)?).map(|value| format!("{value:?}"));
-            let values = places.iter().map(|place| value(place).unwrap_or_default());
-            let line: Vec<String> = cells.iter().cloned().chain(values).collect();
-            writeln!(to, "{}", line.join(","))?;
-        }
-    }
-    Ok(())
-}
-
-/// A cell of the table: in quotes where it holds a comma, a quote or a line break.
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.into() }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_are_split_at_outer_commas() {
-        assert_eq!(split("1, 2.5,3e4"), ["1", "2.5", "3e4"]);
-        assert_eq!(split("[25, 3],[50, 5]"), ["[25, 3]", "[50, 5]"]);
-        assert_eq!(split("{ a = [1, 2], b = \"},\" },'x,y'"), ["{ a = [1, 2], b = \"},\" }", "'x,y'"]);
-        assert_eq!(split(""), [""]);
-    }
-
-    #[test]
-    fn combinations_run_through_the_last_list_first() {
-        let over = [("a".to_string(), "1,2".to_string()), ("b".to_string(), "x,y,z".to_string())];
-        let runs = combinations(&over).unwrap();
-        let shown: Vec<String> = runs.iter().map(|run| format!("{}{}", run[0].1, run[1].1)).collect();
-        assert_eq!(shown, ["1x", "1y", "1z", "2x", "2y", "2z"]);
-        assert!(combinations(&[("a".into(), "1,,2".into())]).is_err());
     }
 }
