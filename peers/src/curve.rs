@@ -109,6 +109,28 @@ mod tests {
         assert_eq!(key([(1 << 21) - 1, 0, 0], 21), (1 << 63) - 1);
     }
 
+    /// The box of the curve is a square: a strip of 256 × 16 points is gone through in pieces of 16 × 16, whatever its place and its size.
+    #[test]
+    fn a_strip_is_gone_through_in_squares() {
+        let strip = |spacing: f64| -> Vec<[f64; 2]> {
+            (0..4096)
+                .map(|a| [-3.0 + spacing * f64::from(a % 256), 7.0 + spacing * f64::from(a / 256)])
+                .collect()
+        };
+        let order = along_curve(&strip(1.0));
+        assert!(order.chunks(256).all(|square| square.iter().all(|a| a % 256 / 16 == square[0] % 256 / 16)));
+        assert_eq!(order, along_curve(&strip(2_f64.powi(-7))));
+    }
+
+    /// The outermost points of a cube stay in it.
+    #[test]
+    fn corners_of_a_cube_are_gone_round() {
+        let corners: Vec<[f64; 3]> = (0..8_u8).map(|a| [a & 1, a >> 1 & 1, a >> 2].map(f64::from)).collect();
+        let order = along_curve(&corners);
+        assert_eq!(order[0], 0);
+        assert!(order.windows(2).all(|pair| (pair[0] ^ pair[1]).count_ones() == 1), "{order:?}");
+    }
+
     #[test]
     fn order_bears_lines_points_and_what_is_no_number() {
         assert_eq!(along_curve::<2>(&[]), [0_u32; 0]);

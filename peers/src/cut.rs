@@ -26,7 +26,7 @@ impl Cut {
         Self { borders }
     }
 
-    /// As many whole chunks for each, as near as it goes; the same borders as those of threads in one sweep (`Fused` of sph-shell).
+    /// As many whole chunks for each, as near as it goes: of c chunks the share of rank r begins at chunk ⌊c r/peers⌋.
     ///
     /// # Panics
     /// If there are no peers.

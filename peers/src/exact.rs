@@ -81,6 +81,7 @@ impl Exact {
         // Subnormals stand where those of exponent one do, without the leading bit.
         let (place, significand) =
             if exponent == 0 { (0, fraction) } else { (exponent - 1, fraction | 1 << 52) };
+        // At most 63, which spares the checks of three indices.
         let (digit, shift) = ((place >> 5) as usize & 63, place & 31);
         let rest = significand >> (32 - shift);
         let low = (significand << shift) as i64 & DIGIT;
@@ -100,7 +101,8 @@ impl Exact {
 
     /// Takes in many numbers by chunks of [`CHUNK`], the last of which may be shorter: within a chunk they are added plainly, in their
     /// order, and each such sum without rounding. That costs no more than a plain sum, and is the same on any number of
-    /// peers if what each of them adds begins at a whole chunk of the model, as a [`Cut`](crate::Cut) of the model does.
+    /// peers if what each of them adds begins at a whole chunk of the model, as a [`Cut`](crate::Cut) of the model does. Who has the
+    /// sums of chunks already, or adds by chunks of another size of which 512 is a multiple, adds them one by one.
     ///
     /// ```
     /// let (a, b) = ([0.1; 2000], [0.7; 2000]);
@@ -195,10 +197,6 @@ impl Exact {
     fn rounded(&self) -> f64 {
         let digits = &self.words[..DIGITS];
         let Some(top) = digits.iter().rposition(|&digit| digit != 0) else { return 0.0 };
-        if top >= DIGITS - 2 {
-            // 2³²·⁶⁶⁻¹⁰⁷⁴ = 2¹⁰³⁸ and more.
-            return f64::INFINITY;
-        }
         let digit = |back: usize| top.checked_sub(back).map_or(0, |k| digits[k] as u128);
         let leading = digits[top].ilog2() as usize;
         let highest = 32 * top + leading;
@@ -212,7 +210,8 @@ impl Exact {
         let (kept, lost, half) = ((three >> shift) as u64, three & ((1 << shift) - 1), 1_u128 << (shift - 1));
         let more = digits[..top.saturating_sub(2)].iter().any(|&digit| digit != 0);
         let up = lost > half || lost == half && (more || kept & 1 == 1);
-        // The leading bit of what is kept adds one to the exponent; so does a carry out of it.
+        // The leading bit of what is kept adds one to the exponent; so does a carry out of it. Beyond all doubles they are more than
+        // the bits of infinity, whatever the last digit holds.
         let bits = ((highest as u64 - 52) << 52) + kept + u64::from(up);
         f64::from_bits(bits.min(f64::INFINITY.to_bits()))
     }

@@ -75,12 +75,24 @@
 //! | sums, maxima and rows are the same on 1 to 7 peers | `tests/together.rs` |
 //! | who fails, panics or leaves ends all with one message; nobody hangs | `tests/endings.rs` |
 //! | a step of peers allocates nothing | `tests/allocations.rs` |
+//! | each ghost gets the row of its step, other rows stay | `lists_agreed_on_are_those_planned_and_lanes_carry_every_row` |
 //! | the curve walks from cell to neighbouring cell | `the_curve_walks_from_cell_to_neighbouring_cell` |
 //! | shares are whole chunks and even to a chunk; how many ghosts and partners they have | `shares_are_even_to_a_chunk`, `tests/shares.rs` |
 //!
 //! # What it costs
 //!
-//! `cargo bench -p peers` prints the cost of sums, `cargo run -p peers --example shares` ghosts and partners of lattices.
+//! `cargo bench -p peers`: a number added exactly takes 3.5 times as long as one added plainly, one added in chunks no longer; taking the
+//! value a hundred times as long, once for each sum.
+//!
+//! `cargo run -p peers --example shares` counts what lattices exchange, cut into equal shares of whole chunks. By ghosts over own particles,
+//! and partners of a peer:
+//!
+//! | lattice | peers | in rows | along the curve |
+//! |---|---|---|---|
+//! | sheet of 1000 × 1000, cells | 64 | .126, 2.0 | .031, 5.3 |
+//! | the same, cells swept in packs of four | 64 | .126, 2.0 | .049, 5.3 |
+//! | block of 64³, horizon of three spacings | 8 | .656, 1.8 | .293, 7.0 |
+//! | the same | 64 | 5.81, 5.8 | .955, 14.6 |
 #![warn(missing_docs)]
 
 mod curve;

@@ -36,6 +36,14 @@ impl Lane {
 /// the sum of the step, and all act on the total.
 ///
 /// A failure of the others is not returned: whoever cannot go on calls `fail` or panics, and that ends all.
+///
+/// # For a library of messages
+///
+/// - `add` is one reduction of 64-bit integers by sum, over the [words](Exact::words_mut) of all sums and the counts, put back in place.
+/// - `greatest` is one by maximum of the values, then one by minimum of the numbers of those that have it; [`Greatest::of`] makes it again.
+/// - `open` makes a buffer and a request that lasts for each partner and way; `send` waits for its own last requests, fills the buffers and
+///   starts; `take` waits, hands over and lets the next rows come. As all call in the same order nobody waits for ever.
+/// - `fail` writes the message and ends every process with a code that is not zero; it must not unwind, and neither may a panic.
 pub trait Peers: Send {
     /// Which of them this one is, from zero.
     fn rank(&self) -> usize;

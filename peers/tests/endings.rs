@@ -4,7 +4,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use peers::{Alone, CHUNK, Cut, Exact, Failure, Greatest, Lists, Partner, Peers, agree, together};
+use peers::{Alone, CHUNK, Cut, Exact, Failure, Greatest, Lane, Lists, Partner, Peers, agree, together};
 
 /// What peers end with; fails if they hang.
 fn ending<R: Send + std::fmt::Debug + 'static>(
@@ -152,30 +152,39 @@ fn lanes_that_do_not_fit_are_refused() {
     assert!(std::panic::catch_unwind(|| Alone.open(&lists(1, 1, 1), 1)).is_err());
 }
 
+fn send(peers: &mut dyn Peers, lane: &Lane) {
+    peers.send(lane, &|_, row| row.fill(0.0));
+}
+
 #[test]
 fn a_lane_is_sent_on_and_taken_from_in_turn() {
-    let send = |peers: &mut dyn Peers, lane: &_| peers.send(lane, &|_, row| row.fill(0.0));
-    let used = move |how: fn(&mut dyn Peers, &peers::Lane, &dyn Fn(&mut dyn Peers, &peers::Lane))| {
+    let used = |how: fn(&mut dyn Peers, &Lane)| {
         ending(3, move |mut peers| {
             let lists = ring(&*peers);
             let lane = peers.open(&lists, 1);
-            how(&mut *peers, &lane, &send);
+            how(&mut *peers, &lane);
             peers.close(lane);
         })
         .message
     };
-    let twice = used(|peers, lane, send| {
+    let twice = used(|peers, lane| {
         send(peers, lane);
         send(peers, lane);
     });
     assert_eq!(twice, "lane 0 was sent on and not taken from");
-    assert_eq!(used(|peers, lane, _| peers.take(lane, &mut |_, _| {})), "a take on lane 0 without a send");
-    assert_eq!(used(|peers, lane, send| send(peers, lane)), "lane 0 was sent on and not taken from");
-    let closed = used(|peers, lane, send| {
-        peers.close(peers::Lane::numbered(lane.number()));
+    assert_eq!(used(|peers, lane| peers.take(lane, &mut |_, _| {})), "a take on lane 0 without a send");
+    assert_eq!(used(send), "lane 0 was sent on and not taken from");
+    let closed = used(|peers, lane| {
+        peers.close(Lane::numbered(lane.number()));
         send(peers, lane);
     });
     assert_eq!(closed, "lane 0 is not open");
+    // Agreeing on lists leaves no lane open.
+    let failure = ending(2, |mut peers| {
+        agree(&mut *peers, &Cut::even(2 * CHUNK, 2), &[0, CHUNK as u32]);
+        send(&mut *peers, &Lane::numbered(0));
+    });
+    assert_eq!(failure.message, "lane 0 is not open");
 }
 
 #[test]

@@ -9,8 +9,8 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use crate::greatest::Greatest;
 use crate::threads::Failure;
 
-/// What ends a peer that has not failed itself: no message, for there is one already.
-pub struct Ended;
+/// What unwinds a peer once there is a message; its own would not count.
+struct Ended;
 
 /// What all do together, with the sizes that have to agree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

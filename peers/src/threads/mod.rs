@@ -14,7 +14,7 @@ use crate::exact::Exact;
 use crate::greatest::Greatest;
 use crate::lists::Lists;
 use crate::peers::{Lane, Peers};
-use meeting::{Board, Call, Doing, Ended, Met, Shared};
+use meeting::{Board, Call, Doing, Met, Shared};
 
 /// What ended all: the message of the first that failed or panicked.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -32,7 +32,8 @@ pub struct Failure {
 ///
 /// # Errors
 /// The message of the first that failed, panicked, or called something else than the others. Peers that wait for each other and
-/// cannot go on, one of them because another has returned, are such a failure too: nothing hangs.
+/// cannot go on, one of them because another has returned, are such a failure too: nothing hangs. A peer at its own work ends at its
+/// next call.
 ///
 /// # Panics
 /// If `count` is zero.
@@ -58,8 +59,7 @@ pub fn together<R: Send>(count: usize, each: impl Fn(Box<dyn Peers>) -> R + Sync
     let run = |rank: usize| {
         let peer = Thread { rank, shared: Arc::clone(&shared), meetings: 0, lanes: Vec::new() };
         let found = catch_unwind(AssertUnwindSafe(|| each(Box::new(peer))));
-        let message = found.as_ref().err().and_then(|payload| message(payload.as_ref()));
-        shared.leave(rank, message);
+        shared.leave(rank, found.as_ref().err().map(|payload| message(payload.as_ref())));
         found.ok()
     };
     let found: Vec<Option<R>> = thread::scope(|scope| {
@@ -73,13 +73,10 @@ pub fn together<R: Send>(count: usize, each: impl Fn(Box<dyn Peers>) -> R + Sync
     }
 }
 
-/// What a panic says; nothing of those who were ended by others.
-fn message(payload: &(dyn Any + Send)) -> Option<String> {
-    if payload.is::<Ended>() {
-        return None;
-    }
+/// What a panic says.
+fn message(payload: &(dyn Any + Send)) -> String {
     let text = payload.downcast_ref::<&str>().map(|text| (*text).to_owned());
-    Some(text.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_else(|| "a panic".to_owned()))
+    text.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_else(|| "a panic".to_owned())
 }
 
 /// One of the threads.
