@@ -11,7 +11,7 @@ are those of the unloaded shell, or of the preloaded one: other loads change not
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 35] = [
+const ROWS: [(&str, &str, &str); 37] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -48,6 +48,12 @@ const ROWS: [(&str, &str, &str); 35] = [
     ("`couple`", "loads", "on = 'u1', couple = { moment = 1, axis = 'edge' }"),
     ("`pressure`, dead", "loads", "on = 'all', pressure = { value = 1 }"),
     ("`pressure`, follower", "loads", "on = 'all', pressure = { value = 1, follower = true }"),
+    ("`gas`, behind held edges", "loads", "on = 'all', gas = { pressure = 1, beside = 1 }"),
+    (
+        "`volume`, behind held edges",
+        "loads",
+        "on = 'all', volume = { added = 1, bulk_modulus = 1, beside = 1 }",
+    ),
     ("`gravity`", "loads", "on = 'all', gravity = { acceleration = [0, 0, 1] }"),
     ("`traction`, and `force` by area", "loads", "on = 'all', traction = { value = [0, 0, 1] }"),
     ("`pressure` on cells, follower", "loads", "on = 'half', pressure = { value = 1, follower = true }"),
@@ -137,6 +143,9 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
         () => SHELL,
     };
     let mut supports = vec![format!("{{ on = '{held}', clamped = {{}} }}")];
+    if name.ends_with("behind held edges") {
+        supports.extend(["u1", "v0", "v1"].map(|edge| format!("{{ on = '{edge}', hinged = {{}} }}")));
+    }
     let mut loads = Vec::new();
     let mut own = String::new();
     match table {
