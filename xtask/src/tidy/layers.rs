@@ -6,8 +6,8 @@ use super::Violation;
 use serde_json::Value;
 use std::path::Path;
 
-/// What every layer may use: arithmetic and loops, which know no mechanics.
-const GROUND: &[&str] = &["lanes", "parallel"];
+/// What every layer may use: arithmetic, loops, peers, which know no mechanics.
+const GROUND: &[&str] = &["lanes", "parallel", "peers"];
 
 /// Crates without any of ours below them but the ground: space, one point, time, balance; the workspace's commands.
 const LEAVES: &[&str] =
