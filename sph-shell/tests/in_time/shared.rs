@@ -6,8 +6,8 @@ use peers::{Peers, together};
 use shell_kinematics::StretchCorrected;
 use sph_core::{Side, Vec3};
 use sph_shell::{
-    Clamped, Content, Enclosed, Formulation, Gravity, Load, Moved, Pressure, Reach, Shell, ShellError, Spring,
-    Springs, SymmetryPlane,
+    Clamped, Content, Enclosed, Formulation, Gravity, Load, Moved, Pressure, Reach, Shell, ShellError,
+    Spring, Springs, SymmetryPlane,
 };
 
 const CELLS: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -31,7 +31,8 @@ fn told(plan: &Plan, mut shell: Shell) -> (Vec<String>, Vec<u64>) {
     let records = records(plan.clone(), &mut shell).unwrap();
     shell.bring();
     let motion = shell.motion().into_iter().flatten().flatten().map(|x| x.to_bits());
-    let borne = (0..shell.len()).flat_map(|a| shell.reaction(a).iter().map(|f| f.to_bits()).collect::<Vec<_>>());
+    let borne =
+        (0..shell.len()).flat_map(|a| shell.reaction(a).iter().map(|f| f.to_bits()).collect::<Vec<_>>());
     let read = motion.chain(borne).collect();
     (records.iter().map(|record| format!("{record:?}")).collect(), read)
 }
