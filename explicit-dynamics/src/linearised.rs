@@ -7,6 +7,11 @@ pub trait LinearisedDynamics {
 
     /// `out = M^{-½} K M^{-½} v` at the present configuration; symmetric.
     fn apply(&mut self, v: &[f64], out: &mut [f64]);
+
+    /// `a·b`. A system of which others march parts adds over all of them.
+    fn dot(&mut self, a: &[f64], b: &[f64]) -> f64 {
+        a.iter().zip(b).map(|(x, y)| x * y).sum()
+    }
 }
 
 /// A system that tells how far from rest it is, in vectors of [`LinearisedDynamics::unknowns`].

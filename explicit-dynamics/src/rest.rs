@@ -56,7 +56,7 @@ impl Missing {
         system.rates(&mut velocity);
         let slowest = std::f64::consts::TAU / (SLOWEST_PERIODS * period);
         let softest = quotient(system, &force).min(quotient(system, &velocity)).max(slowest * slowest);
-        let (force, velocity) = (square(&force), square(&velocity));
+        let (force, velocity) = (system.dot(&force, &force), system.dot(&velocity, &velocity));
         let way = (force / (softest * softest) + velocity / softest).sqrt();
         Self {
             out_of_balance: share(force.sqrt(), sizes.load),
@@ -104,8 +104,9 @@ pub(crate) fn period_of_step(system: &mut dyn MassScaled, before: &[f64], dt: f6
     let mut after = vec![0.0; before.len()];
     system.rates(&mut velocity);
     system.out_of_balance(&mut after);
-    let change: f64 = (0..before.len()).map(|i| velocity[i] * (before[i] - after[i])).sum();
-    period(change / (dt * square(&velocity)))
+    after.iter_mut().zip(before).for_each(|(after, before)| *after = before - *after);
+    let change = system.dot(&velocity, &after);
+    period(change / (dt * system.dot(&velocity, &velocity)))
 }
 
 /// The period of the square of a circular frequency, if it is one.
@@ -115,17 +116,13 @@ fn period(square: f64) -> Option<f64> {
 
 /// `x·K̂x/x·x`: the square of a circular frequency; infinite along nothing.
 fn quotient(system: &mut dyn MassScaled, x: &[f64]) -> f64 {
-    let length = square(x);
+    let length = system.dot(x, x);
     if length == 0.0 {
         return f64::INFINITY;
     }
     let mut image = vec![0.0; x.len()];
     system.apply(x, &mut image);
-    x.iter().zip(&image).map(|(x, image)| x * image).sum::<f64>() / length
-}
-
-fn square(x: &[f64]) -> f64 {
-    x.iter().map(|x| x * x).sum()
+    system.dot(x, &image) / length
 }
 
 /// Of nothing, nothing is missing.

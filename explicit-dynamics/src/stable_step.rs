@@ -43,19 +43,20 @@ impl Spectrum {
 pub fn largest_eigenvalue(system: &mut dyn LinearisedDynamics, iterations: usize) -> Spectrum {
     let n = system.unknowns();
     let mut v = pseudo_random(n);
-    normalise(&mut v);
+    let length = system.dot(&v, &v).sqrt();
+    v.iter_mut().for_each(|x| *x *= 1.0 / length);
     let mut previous = vec![0.0; n];
     let mut w = vec![0.0; n];
     let (mut alpha, mut beta) = (Vec::new(), Vec::new());
     for _ in 0..iterations.min(n).max(1) {
         system.apply(&v, &mut w);
-        let a = dot(&v, &w);
+        let a = system.dot(&v, &w);
         let b_last = beta.last().copied().unwrap_or(0.0);
         for i in 0..n {
             w[i] -= a * v[i] + b_last * previous[i];
         }
         alpha.push(a);
-        let b = dot(&w, &w).sqrt();
+        let b = system.dot(&w, &w).sqrt();
         beta.push(b);
         // The space is exhausted when the remainder is round-off of the values found so far.
         if b <= 1e-12 * a.abs() || !b.is_finite() {
@@ -102,15 +103,6 @@ fn top_ritz_value(alpha: &[f64], beta: &[f64]) -> Spectrum {
         .enumerate()
         .fold((0, f64::MIN), |best, (i, x)| if x > best.1 { (i, x) } else { best });
     Spectrum { ritz, residual: (last * eigen.eigenvectors[(m - 1, top)]).abs() }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-fn normalise(v: &mut [f64]) {
-    let scale = 1.0 / dot(v, v).sqrt();
-    v.iter_mut().for_each(|x| *x *= scale);
 }
 
 /// The same numbers in (−½, ½) on every machine (SplitMix64 of \[steele2014\]).

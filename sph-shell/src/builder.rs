@@ -26,6 +26,7 @@ use crate::reference::Reference;
 use crate::regions::{Region, Regions};
 use crate::ties::list::{Tie, Ties};
 use crate::time::evaluation::Evaluation;
+use crate::time::share::Share;
 use crate::wetted::surface::Surface;
 use crate::wetted::wetting::Wetting;
 
@@ -262,6 +263,7 @@ impl ShellBuilder {
             loading: Loading::new(loads, springs, tools, own_contact, wetted, reference.cloud.len()),
             motion: Moving::new(&reference),
             evaluation: Evaluation::new(&points, &reference, threads),
+            share: Share::alone(reference.cloud.len()),
             dependents: Dependents { junctions, ties },
             reference,
             material,

@@ -160,6 +160,9 @@ pub enum ShellError {
         /// A particle of the rim.
         particle: u32,
     },
+    /// What one process marches alone.
+    #[error("{0} is marched by one process alone; start one, with as many threads as there are cores")]
+    NotShared(&'static str),
     /// Nothing is enclosed.
     #[error(
         "the surface encloses {volume:.4e} at rest, {beside:.4e} with what stands beside; it must be more than nothing: give a surface that bounds a volume, or a volume beside it"

@@ -311,6 +311,7 @@ mod regions;
 mod registers;
 mod second_moments;
 mod shared;
+mod sharing;
 mod shell;
 mod statics;
 mod ties;
@@ -326,6 +327,7 @@ use material::Material;
 use motion::Moving;
 use points::scheme::Points;
 use time::evaluation::Evaluation;
+use time::share::Share;
 
 pub use builder::{Parts, ShellBuilder};
 pub use conditions::body::{Block, Body, place_block};
@@ -377,4 +379,6 @@ pub struct Shell {
     motion: Moving,
     /// What the last evaluation found.
     evaluation: Evaluation,
+    /// Who marches it.
+    share: Share,
 }

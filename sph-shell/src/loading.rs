@@ -95,6 +95,11 @@ impl Loading {
         if self.idle { &[] } else { &self.external }
     }
 
+    /// The rows of external forces last evaluated; empty without loads.
+    pub fn external_mut(&mut self) -> &mut [Row] {
+        &mut self.external
+    }
+
     /// Takes away what other bodies exert.
     pub fn release(&mut self) {
         self.exerted.clear();

@@ -296,13 +296,16 @@ impl Shell {
     ///
     /// The strong form has no energy of its own; it reports the elastic energy of its strains.
     pub fn evaluate_internal(&mut self, energy: bool) {
-        let Self { reference, material, points, dependents, motion, evaluation, .. } = self;
+        let Self { reference, material, points, dependents, motion, evaluation, share, .. } = self;
         let Evaluation { plan, slots, pack_energies, internal_energy, threads, .. } = evaluation;
         if let Some(plan) = plan {
             dependents.ties.put(&mut motion.state);
+            share.exchange(&mut motion.state);
             let mut forces = std::mem::take(points.direct_mut());
             let sweep = Sweep { points, law: material.law(), state: &motion.state, energy };
-            *internal_energy = plan.forces(&sweep, &mut forces);
+            plan.forces(&sweep, &mut forces[share.own()]);
+            *internal_energy =
+                if energy { share.energy(points.packs.points.len(), |pack| plan.energy(pack)) } else { 0.0 };
             dependents.ties.condense_internal(&motion.state, &mut forces);
             *points.direct_mut() = forces;
             return;
@@ -354,7 +357,7 @@ impl Shell {
             let (place, what) = ("the shell, pressed through itself".into(), "step over the stable one");
             return Some(BoundViolation { place, what, value, bound: "a hundredth at least" });
         }
-        self.points.first_bound_violation(&self.reference, &self.motion.state)
+        self.first_violation()
     }
 
     /// The derivatives of all loads at a level, of the springs and of contact, block by block.

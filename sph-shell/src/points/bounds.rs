@@ -1,5 +1,7 @@
 //! The range of the model: no point turned inside out, stretched or crushed out of all proportion.
 
+use std::ops::Range;
+
 use shell_kinematics::LANES;
 
 use crate::formulation::{Formulation, Reach};
@@ -28,7 +30,7 @@ pub(crate) struct BoundViolation {
 }
 
 impl Points {
-    /// The first sampling point beyond the range of the model.
+    /// The first sampling point of a range of packs beyond the range of the model.
     ///
     /// `J = (x,1 × x,2)·d` is the area over that of the reference where the director is normal; not positive, the surface
     /// is folded through itself or its director lies in it.
@@ -36,9 +38,10 @@ impl Points {
         &self,
         reference: &Reference,
         state: &[Row],
+        among: Range<usize>,
     ) -> Option<BoundViolation> {
         let packs = &self.packs;
-        for (index, points) in packs.order.iter().enumerate() {
+        for (index, points) in packs.order.iter().enumerate().take(among.end).skip(among.start) {
             let (p, _) = Point::new(packs, index).interpolate::<false>(state);
             let area = p.x1.cross(p.x2).dot(p.d).lanes();
             let squares = [p.x1.dot(p.x1), p.x2.dot(p.x2), p.x1.dot(p.x2)].map(|c| c.lanes());

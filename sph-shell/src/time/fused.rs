@@ -63,12 +63,19 @@ struct Move<'a> {
 struct Keep<'a>(&'a mut [Row]);
 
 impl Fused {
-    /// Plans the sweep over cells.
-    pub fn plan(packs: &Packs, places: &Places, particles: usize, threads: usize) -> Self {
-        let chunks = particles.div_ceil(parallel::CHUNK);
-        let border = |part: usize| (chunks * part / threads * parallel::CHUNK).min(particles);
+    /// Plans the sweep over cells for a range of particles, which begins at a whole chunk.
+    pub fn plan(packs: &Packs, places: &Places, own: Range<usize>, threads: usize) -> Self {
+        let chunks = own.len().div_ceil(parallel::CHUNK);
+        let border = |part: usize| (own.start + chunks * part / threads * parallel::CHUNK).min(own.end);
         let part = |part| Part::plan(packs, places, border(part)..border(part + 1));
         Self { parts: (0..threads).map(part).collect() }
+    }
+
+    /// The packs that are swept, a range that holds them.
+    pub fn packs(&self) -> Range<usize> {
+        let parts = || self.parts.iter().filter(|part| !part.packs.is_empty());
+        let first = parts().map(|part| part.packs.start).min().unwrap_or(0);
+        first..parts().map(|part| part.packs.end).max().unwrap_or(first)
     }
 
     /// Sweeps all points and moves all particles on, with the work of every chunk.
@@ -78,18 +85,15 @@ impl Fused {
         run(sweep, &mut self.parts, task);
     }
 
-    /// Sweeps all points for the forces on all particles; returns the energy \[F L\], zero if the sweep finds none.
-    pub fn forces(&mut self, sweep: &Sweep<'_>, forces: &mut [Row]) -> f64 {
+    /// Sweeps all points for the forces on all particles.
+    pub fn forces(&mut self, sweep: &Sweep<'_>, forces: &mut [Row]) {
         run(sweep, &mut self.parts, Keep(forces));
-        if !sweep.energy {
-            return 0.0;
-        }
-        // Packs on a border have the same energy in both parts.
-        let energy = |pack: usize| {
-            let part = self.parts.iter().find(|part| part.packs.contains(&pack));
-            part.map_or(0.0, |part| part.energies[pack - part.packs.start])
-        };
-        (0..sweep.points.packs.points.len()).map(energy).sum()
+    }
+
+    /// Energy of a pack, by the last sweep that was asked for it \[F L\]; packs on a border have the same in both parts.
+    pub fn energy(&self, pack: usize) -> f64 {
+        let part = self.parts.iter().find(|part| part.packs.contains(&pack));
+        part.map_or(0.0, |part| part.energies[pack - part.packs.start])
     }
 
     /// Bytes of rings and lists.

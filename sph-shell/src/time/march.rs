@@ -18,6 +18,7 @@ use crate::points::sweep::Sweep;
 use crate::registers::Registers;
 use crate::time::evaluation::Evaluation;
 use crate::time::particle::{Rows, Slots, Update, drifted};
+use crate::time::share::Share;
 
 /// A chunk of particles on its way to a thread, to be kicked and, with `DRIFT`, moved.
 struct Chunk<'a, 'b, const DRIFT: bool> {
@@ -66,7 +67,8 @@ fn update_of<'a>(
 impl Shell {
     /// Kicks all particles, and moves them with `DRIFT`, from the slots that the sweep over all points filled.
     fn update<const DRIFT: bool>(&mut self, step: &Step) -> Work {
-        let Self { reference, points, constraints, dependents, loading, motion, evaluation, .. } = self;
+        let Self { reference, points, constraints, dependents, loading, motion, evaluation, share, .. } =
+            self;
         let internal = |a| evaluation.internal_force(points, a);
         let external = |a| loading.external_force(a);
         let of_groups = dependents.junctions.kick(motion, constraints, internal, external, step, DRIFT);
@@ -85,34 +87,38 @@ impl Shell {
         }
         junctions.drift(motion, constraints, if DRIFT { step.drift() } else { 0.0 });
         ties.put(&mut motion.state);
-        evaluation.total_work(step, of_groups, loading.rubbed())
+        evaluation.total_work(share, step, of_groups, loading.rubbed())
     }
 
     /// A step by the plan; external forces are already evaluated.
     fn fused_step(&mut self, step: &Step) -> Work {
-        let Self { reference, material, points, constraints, dependents, loading, motion, evaluation } = self;
+        let Self { reference, material, points, constraints, dependents, loading, motion, evaluation, share } =
+            self;
         let Evaluation { plan: Some(plan), chunk_work, .. } = evaluation else { return Work::default() };
         let Moving { state, next, rates } = motion;
         let sweep = Sweep { points, law: material.law(), state, energy: false };
         let moving = dependents.ties.moving_masses(reference);
         let update = update_of(moving, constraints, loading, &[], step);
-        plan.advance(&sweep, &update, Rows { state, next, rates }, chunk_work);
+        let (own, chunks) = (share.own(), share.chunks());
+        let rows = Rows { state, next: &mut next[own.clone()], rates: &mut rates[own] };
+        plan.advance(&sweep, &update, rows, &mut chunk_work[chunks]);
         std::mem::swap(state, next);
-        evaluation.total_work(step, Work::default(), loading.rubbed())
+        evaluation.total_work(share, step, Work::default(), loading.rubbed())
     }
 }
 
 impl Evaluation {
-    /// Adds the work of all chunks, in their order whatever the threads, to what is there already; what friction took of the work of tools is
-    /// dissipated.
-    fn total_work(&self, step: &Step, first: Work, rubbed: f64) -> Work {
-        let sum = self.chunk_work.iter().fold(first, |sum, part| Work {
-            kinetic: sum.kinetic + part.kinetic,
-            external: sum.external + part.external,
+    /// Adds the work of all chunks, exactly whoever has them, to what is there already; what friction took of the work of tools is dissipated.
+    fn total_work(&self, share: &Share, step: &Step, first: Work, rubbed: f64) -> Work {
+        let of = |work: &Work| [work.kinetic, work.external, work.change, work.resisted];
+        let [kinetic, external, change, resisted] = share.sum(self.chunk_work[share.chunks()].iter().map(of));
+        let sum = Work {
+            kinetic: first.kinetic + kinetic,
+            external: first.external + external,
             dissipated: 0.0,
-            change: sum.change + part.change,
-            resisted: sum.resisted + part.resisted,
-        });
+            change: first.change + change,
+            resisted: first.resisted + resisted,
+        };
         Work {
             dissipated: 2.0 * step.kick * step.damping * sum.kinetic + rubbed,
             external: sum.external + rubbed,
@@ -146,6 +152,7 @@ impl Dynamics for Shell {
     fn advance(&mut self, step: &Step) -> Work {
         // Groups and ties gather forces that the fused step does not keep.
         if self.evaluation.plan.is_some() && self.dependents.is_empty() {
+            self.share.exchange(&mut self.motion.state);
             self.evaluate_external(step.from);
             let work = self.fused_step(step);
             self.commit_in(step.drift());
@@ -192,26 +199,21 @@ impl Dynamics for Shell {
 impl Shell {
     /// The particle with the greatest speed, and that speed \[L/T\]; not a number counts as greatest.
     fn fastest(&self) -> (usize, f64) {
-        let speed = |(a, rate): (usize, &Row)| {
+        let speed = |a: usize| {
+            let rate = &self.motion.rates[a];
             let rotating = rate[3] * rate[3] + rate[4] * rate[4] + rate[5] * rate[5];
             let moving = rate[0] * rate[0] + rate[1] * rate[1] + rate[2] * rate[2];
             let energy = moving + rotating * self.reference.inertias[a] / self.reference.masses[a];
-            (a, if energy.is_nan() { f64::INFINITY } else { energy })
+            (energy, a)
         };
-        let (particle, square) = self
-            .motion
-            .rates
-            .iter()
-            .enumerate()
-            .map(speed)
-            .fold((0, 0.0), |best, x| if x.1 > best.1 { x } else { best });
+        let (square, particle) = self.share.greatest(self.share.own().map(speed));
         (particle, square.sqrt())
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use explicit_dynamics::Amplitude;
+    use explicit_dynamics::{Amplitude, LinearisedDynamics};
     use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
     use sph_core::{
         Cell, Cloud, Cylinder, EndWeights, Patch, Plate, Side, Vec3, jittered_lattice, lattice, poisson_cloud,
@@ -230,6 +232,7 @@ mod tests {
     const LAYOUTS: usize = 80;
 
     /// Whole numbers that look random.
+    #[derive(Clone)]
     struct RandomNumbers(u64);
 
     impl RandomNumbers {
@@ -326,6 +329,7 @@ mod tests {
             let work = advance(shell, &Step { from: at(time), to: at(time + dt), kick: dt, damping: 0.3 });
             bits.extend([work.kinetic, work.external, work.dissipated].map(f64::to_bits));
         }
+        shell.bring();
         bits.extend(shell.motion().into_iter().flatten().flatten().map(|x| x.to_bits()));
         bits
     }
@@ -346,11 +350,53 @@ mod tests {
             });
             for threads in [1, 2, 3, 4] {
                 let places = Places::new(&shell.points.packs, &shell.reference.operator);
-                shell.evaluation.plan = Some(Fused::plan(&shell.points.packs, &places, shell.len(), threads));
+                shell.evaluation.plan =
+                    Some(Fused::plan(&shell.points.packs, &places, 0..shell.len(), threads));
                 let found = marched(&mut shell, &from, Shell::advance);
                 assert!(found == expected, "layout {number} of {} particles, {threads} threads", shell.len());
             }
         }
         assert!(several >= LAYOUTS / 2, "{several} of several chunks");
+    }
+
+    /// One to seven march the same layouts together: motion, work, energy, the stable step, speeds and what is out of balance.
+    #[test]
+    fn peers_march_to_the_same_bits_on_many_layouts() {
+        let mut dice = RandomNumbers(3);
+        for number in 0..LAYOUTS {
+            let cloud = layout(number, &mut dice);
+            let thrown = dice.clone();
+            let loaded = number % 3 != 0;
+            let march = |share: Option<Box<dyn peers::Peers>>| {
+                let shell = body(cloud.clone(), loaded, &mut thrown.clone());
+                let mut shell = match share {
+                    None => shell,
+                    Some(peers) => shell.share(peers).unwrap(),
+                };
+                let from = shell.motion().map(<[Row]>::to_vec);
+                let mut bits = marched(&mut shell, &from, Shell::advance);
+                bits.push(shell.evaluate(Instant { time: 1.0, level: 1.0 }).to_bits());
+                let mut vectors = [vec![0.0; 6 * shell.len()], vec![0.0; 6 * shell.len()]];
+                shell.out_of_balance(&mut vectors[0]);
+                MassScaled::rates(&shell, &mut vectors[1]);
+                let [force, rates] = &vectors;
+                bits.extend(
+                    [shell.dot(force, rates), shell.displaced(), shell.fastest().1].map(f64::to_bits),
+                );
+                if number % 8 == 0 {
+                    bits.push(shell.stable_step(1.0).unwrap().dt.to_bits());
+                }
+                bits.push(u64::from(shell.within_bounds(Bounds::Configuration).is_ok()));
+                bits
+            };
+            let alone = march(None);
+            for count in [1, 2, 3, 4, 7] {
+                let all = peers::together(count, |peers| march(Some(peers))).unwrap();
+                for (rank, found) in all.into_iter().enumerate() {
+                    assert!(found == alone, "layout {number}, {count} peers, rank {rank}");
+                }
+            }
+            body(cloud.clone(), loaded, &mut dice);
+        }
     }
 }

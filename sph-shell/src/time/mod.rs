@@ -5,4 +5,5 @@ pub(crate) mod fused;
 mod joined;
 pub(crate) mod march;
 pub(crate) mod particle;
+pub(crate) mod share;
 pub(crate) mod spectrum;

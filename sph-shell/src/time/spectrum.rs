@@ -20,11 +20,13 @@ impl LinearisedDynamics for Shell {
     fn apply(&mut self, v: &[f64], out: &mut [f64]) {
         let spacing = self.reference.cloud.spacing();
         let direction: Vec<Row> = (0..self.len()).map(|a| self.unscaled(a, v)).collect();
-        let greatest = direction.iter().fold(0.0_f64, |g, row| {
+        let size = |a: usize| {
+            let row = &direction[a];
             let x = row[..3].iter().fold(0.0_f64, |m, u| m.max(u.abs())) / spacing;
-            let d = row[3..].iter().fold(0.0_f64, |m, u| m.max(u.abs()));
-            g.max(x).max(d)
-        });
+            (row[3..].iter().fold(x, |m, u| m.max(u.abs())), a)
+        };
+        let own = self.share.own();
+        let (greatest, _) = self.share.greatest(own.clone().map(size));
         if greatest == 0.0 {
             out.fill(0.0);
             return;
@@ -68,7 +70,8 @@ impl LinearisedDynamics for Shell {
         self.points.hold_histories(false);
         let [plus, minus] = forces;
         let change = |a: usize| -> Row { std::array::from_fn(|k| (plus[a][k] - minus[a][k]) / (2.0 * eps)) };
-        for (a, out) in out.chunks_exact_mut(6).enumerate() {
+        out.fill(0.0);
+        for (a, out) in out.chunks_exact_mut(6).enumerate().take(own.end).skip(own.start) {
             out.copy_from_slice(&self.free_part(a, change));
         }
         for (number, group) in self.dependents.junctions.groups.iter().enumerate() {
@@ -78,6 +81,10 @@ impl LinearisedDynamics for Shell {
             let own = &mut out[6 * group.first()..][..6];
             own.iter_mut().zip(free).for_each(|(sum, part)| *sum += part);
         }
+    }
+
+    fn dot(&mut self, a: &[f64], b: &[f64]) -> f64 {
+        self.share.dot(a, b, 6)
     }
 }
 
@@ -115,7 +122,11 @@ impl MassScaled for Shell {
             let (u, rotation) = (self.displacement(a), self.director(a) - cloud.frames[a].n);
             self.reference.masses[a] * u.norm_squared() + self.reference.inertias[a] * rotation.norm_squared()
         };
-        (0..self.len()).map(square).sum::<f64>().sqrt()
+        let own = self.share.own();
+        let chunks =
+            own.clone().step_by(parallel::CHUNK).map(|first| first..(first + parallel::CHUNK).min(own.end));
+        let [sum] = self.share.sum(chunks.map(|chunk| [chunk.map(square).sum::<f64>()]));
+        sum.sqrt()
     }
 }
 

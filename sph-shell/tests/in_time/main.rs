@@ -10,6 +10,7 @@ mod enclosed;
 mod energy;
 mod history;
 mod march;
+mod shared;
 mod strong_form;
 mod strong_form_difference;
 mod turned;

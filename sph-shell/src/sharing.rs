@@ -1,0 +1,81 @@
+//! A shell that several march together.
+
+use std::ops::Range;
+
+use peers::Peers;
+
+use crate::Shell;
+use crate::error::ShellError;
+use crate::gather::Places;
+use crate::points::bounds::BoundViolation;
+use crate::time::fused::Fused;
+use crate::time::share::Share;
+
+impl Shell {
+    /// Marches it with others, each of whom has built the same shell: this one moves its share of the particles. All that a march returns is that of
+    /// the whole, with the bits of one who marches it alone; what is read of particles is right after [`Shell::bring`].
+    ///
+    /// # Errors
+    /// [`ShellError::NotShared`]: strains that are not sampled in cells, junctions, rigid sets and ties, springs, tools, contact, fluids, what is
+    /// enclosed, sections with memory.
+    pub fn share(mut self, peers: Box<dyn Peers>) -> Result<Self, ShellError> {
+        let Self { reference, points, dependents, loading, evaluation, .. } = &mut self;
+        let refusals = [
+            (evaluation.plan.is_none(), "a shell whose strains are not sampled in cells"),
+            (!dependents.is_empty(), "a shell with junctions, rigid sets or ties"),
+            (!loading.springs.is_empty(), "a shell on springs"),
+            (!loading.tools.is_empty() || loading.own_contact.is_some(), "a shell that may touch"),
+            (loading.wetted.is_some(), "a shell in a fluid"),
+            (loading.enclosed(1.0).next().is_some(), "a shell that encloses a gas or a liquid"),
+            (!points.sections.histories().is_empty(), "a shell whose section has a memory"),
+        ];
+        if let Some((_, what)) = refusals.iter().find(|(refused, _)| *refused) {
+            return Err(ShellError::NotShared(what));
+        }
+        let places = Places::new(&points.packs, &reference.operator);
+        let particles = reference.cloud.len();
+        let mut packs = vec![Vec::new(); points.packs.points.len()];
+        for a in 0..particles {
+            places.of(a).iter().for_each(|place| packs[place.0 as usize].push(a as u32));
+        }
+        let share = Share::new(peers, particles, &packs);
+        evaluation.plan = Some(Fused::plan(&points.packs, &places, share.own(), evaluation.threads));
+        self.share = share;
+        Ok(self)
+    }
+
+    /// Brings motion and forces of all particles to everyone who marches it. All of them call it.
+    pub fn bring(&mut self) {
+        let Self { points, loading, motion, share, .. } = self;
+        if share.is_shared() {
+            let rows =
+                [&mut motion.state[..], &mut motion.rates, points.direct_mut(), loading.external_mut()];
+            rows.into_iter().filter(|rows| !rows.is_empty()).for_each(|rows| share.bring(rows));
+        }
+    }
+
+    /// The particles that this one moves: all, unless others march it too.
+    pub fn own_particles(&self) -> Range<usize> {
+        self.share.own()
+    }
+
+    /// The first sampling point beyond the range of the model.
+    pub(crate) fn first_violation(&self) -> Option<BoundViolation> {
+        let Self { reference, points, motion, evaluation, share, .. } = self;
+        let all = points.packs.points.len();
+        let Some(plan) = evaluation.plan.as_ref().filter(|_| share.is_shared()) else {
+            return points.first_bound_violation(reference, &motion.state, 0..all);
+        };
+        // Numbers that are whole are exact as values; the least is the greatest of their opposites.
+        let beyond =
+            |&pack: &usize| points.first_bound_violation(reference, &motion.state, pack..pack + 1).is_some();
+        let own = plan.packs().find(beyond).map(|pack| (-(pack as f64), pack));
+        let (value, pack) = share.greatest(own.into_iter());
+        if value == f64::NEG_INFINITY {
+            return None;
+        }
+        let mut state = motion.state.clone();
+        share.bring(&mut state);
+        points.first_bound_violation(reference, &state, pack..pack + 1)
+    }
+}

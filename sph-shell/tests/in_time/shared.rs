@@ -1,0 +1,128 @@
+//! A shell that several march together: whole marches to the same bits, what is read of it, and what one marches alone.
+
+use crate::common::{self, Sheets, flat, parts, records, shell, supported};
+use explicit_dynamics::{Amplitude, Bounds, Damping, Dynamics, Plan, QuasiStatic, Transient};
+use peers::{Peers, together};
+use shell_kinematics::StretchCorrected;
+use sph_core::{Side, Vec3};
+use sph_shell::{
+    Clamped, Content, Enclosed, Formulation, Gravity, Load, Moved, Pressure, Reach, Shell, ShellError,
+    Spring, Springs, SymmetryPlane,
+};
+
+const CELLS: Formulation = Formulation::StressPoint(Reach::Cell);
+
+/// A strip of several chunks, clamped at one end and lifted at the other, under its weight and a pressure.
+fn strip() -> Shell {
+    let cloud = flat([161, 11], [4.0, 0.25]);
+    let sides = cloud.sides.clone().unwrap();
+    let end = |side: Side| sides.edge(side).to_vec();
+    let lifted = Moved { direction: Vec3::z(), by: 0.05, amplitude: Amplitude::Ramp(0.2) };
+    let supports = vec![supported(end(Side::U0), Clamped), supported(end(Side::U1), lifted)];
+    let loads: Vec<Box<dyn Load>> = vec![
+        Box::new(Gravity { acceleration: Vec3::new(0.0, 0.3, -0.2) }),
+        Box::new(Pressure { value: 0.02, follower: true }),
+    ];
+    shell(cloud, CELLS, 0.05, &StretchCorrected, supports, loads)
+}
+
+/// Everything that a march tells, as words; and what is read of the shell at its end.
+fn told(plan: &Plan, mut shell: Shell) -> (Vec<String>, Vec<u64>) {
+    let records = records(plan.clone(), &mut shell).unwrap();
+    shell.bring();
+    let motion = shell.motion().into_iter().flatten().flatten().map(|x| x.to_bits());
+    let borne =
+        (0..shell.len()).flat_map(|a| shell.reaction(a).iter().map(|f| f.to_bits()).collect::<Vec<_>>());
+    let read = motion.chain(borne).collect();
+    (records.iter().map(|record| format!("{record:?}")).collect(), read)
+}
+
+/// In real time and quasi-statically, with the checks of rest: one to seven processes tell the same, to the bit.
+#[test]
+fn marches_tell_the_same_whoever_makes_them() {
+    let transient = Transient { duration: 0.02, record_every: 0.005, damping: 0.2, safety: 0.8 };
+    let quasi_static = QuasiStatic {
+        levels: vec![0.5, 1.0],
+        period: None,
+        ramp: 1.0,
+        hold: 0.5,
+        damping: Damping::Ratio(0.5),
+        tolerance: 1e-3,
+        accuracy: 0.5,
+        safety: 0.8,
+    };
+    for plan in [Plan::from(transient), Plan::from(quasi_static)] {
+        let alone = told(&plan, strip());
+        assert!(alone.0.len() > 2, "{:?}", alone.0);
+        for count in [1, 2, 3, 4, 7] {
+            let all = together(count, |peers| told(&plan, strip().share(peers).unwrap())).unwrap();
+            for (rank, found) in all.into_iter().enumerate() {
+                assert!(found == alone, "{count} peers, rank {rank}");
+            }
+        }
+    }
+}
+
+/// Each moves its own particles alone, and all of them are somebody's.
+#[test]
+fn particles_are_shared_out() {
+    let mut owned = together(3, |peers| strip().share(peers).unwrap().own_particles()).unwrap();
+    owned.sort_by_key(|own| own.start);
+    assert_eq!(owned, [0..512, 512..1024, 1024..161 * 11]);
+    assert_eq!(strip().own_particles(), 0..161 * 11);
+}
+
+/// A shell that turns inside out is refused by all with the same words.
+#[test]
+fn all_refuse_a_state_beyond_the_model() {
+    let words = |peers: Option<Box<dyn Peers>>| {
+        let mut shell = strip();
+        let a = 1300;
+        shell.set_state(a, shell.position(a) + Vec3::new(0.5, 0.0, 0.0), shell.director(a));
+        let shell = match peers {
+            Some(peers) => shell.share(peers).unwrap(),
+            None => shell,
+        };
+        shell.within_bounds(Bounds::Configuration).unwrap_err().to_string()
+    };
+    let alone = words(None);
+    println!("{alone}");
+    for count in [2, 3] {
+        assert_eq!(together(count, |peers| words(Some(peers))).unwrap(), vec![alone.clone(); count]);
+    }
+}
+
+/// What one marches alone says so.
+#[test]
+fn what_is_not_shared_is_refused() {
+    let refused = |build: &(dyn Fn() -> Shell + Sync)| {
+        let all = together(2, |peers| match build().share(peers) {
+            Err(ShellError::NotShared(what)) => what,
+            _ => "not refused",
+        });
+        all.unwrap()[0]
+    };
+    let plate = || flat([5, 5], [1.0, 1.0]);
+    let wide = || Shell::builder(parts(plate(), common::energy_formulations()[1].1, 0.1)).build().unwrap();
+    let frame = || Shell::builder(parts(common::tee(2, 1.0, 2), CELLS, 0.1)).build().unwrap();
+    let springs = || {
+        let spring = Spring { stiffness: vec![(3, 1.0)], direction: Vec3::z() };
+        Shell::builder(parts(plate(), CELLS, 0.1)).springs(Springs::from(vec![spring])).build().unwrap()
+    };
+    let gas = || {
+        let cloud = Sheets::boxed(Vec3::new(1.0, 1.0, 1.0), [2, 2, 2]).welded();
+        let content = Content::Gas { pressure: 1.0, ambient: 1.0, exponent: 1.0 };
+        let load: Box<dyn Load> = Box::new(Enclosed::new((0..24).collect(), content, 0.0));
+        shell(cloud, CELLS, 0.1, &StretchCorrected, Vec::new(), vec![load])
+    };
+    let said = [refused(&wide), refused(&frame), refused(&springs), refused(&gas)];
+    println!("{said:?}");
+    assert!(said.iter().all(|what| what.starts_with("a shell ")), "{said:?}");
+    let symmetry = || {
+        let cloud = plate();
+        let held = cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec();
+        let supports = vec![supported(held, SymmetryPlane { normal: Vec3::x() })];
+        shell(cloud, CELLS, 0.1, &StretchCorrected, supports, Vec::new())
+    };
+    assert_eq!(refused(&symmetry), "not refused");
+}
