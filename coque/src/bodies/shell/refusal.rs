@@ -33,7 +33,7 @@ impl Builder<'_> {
             | ShellError::NotAStrip { .. } => {
                 of_body(&format!("geometry.{}", self.scene.shell.geometry.word()))
             }
-            ShellError::JunctionOfWideStencils => of_body("formulation"),
+            ShellError::JunctionOfWideStencils | ShellError::NotShared(_) => of_body("formulation"),
             ShellError::Density(_) => {
                 of_body(&format!("material.{}.density", self.scene.shell.material.word()))
             }
