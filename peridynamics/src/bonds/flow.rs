@@ -46,6 +46,8 @@
 //! and ψ₀ goes with `Σ c ρ²`: as with stiffness, what is left neither stiffens nor hardens. Bonds break by their whole stretch,
 //! elastic or not.
 
+use std::collections::BTreeSet;
+
 use lanes::{Lanes, Reals};
 use nalgebra::{SMatrix, SVector};
 use sph_core::Vec3;
@@ -156,6 +158,7 @@ impl Flow {
             out.surfaces
                 .push(Surface { shear: whole / (30.0 * volumes[node]), share: volumes[node] / round });
         }
+        (0..count).for_each(|node| out.take_round(network, node));
         out
     }
 
@@ -182,10 +185,16 @@ impl Flow {
                 bond.length * form.dot(&products::<6>(&direction(&self.places, bond.other, bond.length)));
             sum += bond.stiffness * round * round;
             self.round[lane / LANES][lane % LANES] = round;
-            let twin = network.twin_of(node, bond.other);
-            self.round_twin[twin / LANES][twin % LANES] = round;
         }
         [whole, sum]
+    }
+
+    /// Takes ρ of the bonds of a node over from their other ends.
+    fn take_round(&mut self, network: &Network, node: usize) {
+        for lane in network.lanes_of(node) {
+            let twin = network.twin_of(node, network.bond(lane).other);
+            self.round_twin[lane / LANES][lane % LANES] = self.round[twin / LANES][twin % LANES];
+        }
     }
 
     /// Elastic parts of the extensions of four bonds, as their own node has them and as the others have them.
@@ -275,9 +284,12 @@ impl Network {
     /// Fits what yields to the bonds that these nodes have left.
     pub fn fit_flow(&mut self, nodes: impl IntoIterator<Item = usize>) {
         if let Some(mut flow) = self.flow.take() {
-            nodes.into_iter().for_each(|node| {
+            let mut around = BTreeSet::new();
+            for node in nodes {
                 flow.fit(self, node);
-            });
+                around.extend(self.neighbours(node));
+            }
+            around.into_iter().for_each(|node| flow.take_round(self, node as usize));
             self.flow = Some(flow);
         }
     }
