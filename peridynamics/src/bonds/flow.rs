@@ -134,6 +134,14 @@ impl Surface {
     }
 }
 
+/// Pairs of numbers of the other ends of four bonds.
+#[inline(always)]
+pub(super) fn pairs<L: Lanes>(lanes: L, of: &[[f64; 2]], [a, b, c, d]: &[u32; LANES]) -> [Reals<L>; 2] {
+    let [first, second] =
+        lanes.columns_of_two([&of[*a as usize], &of[*b as usize], &of[*c as usize], &of[*d as usize]]);
+    [Reals { lanes, four: first }, Reals { lanes, four: second }]
+}
+
 impl Flow {
     /// Nothing has flowed; families are whole, `places` those of nodes and images at rest, volumes what the body has of nodes.
     pub fn new(network: &Network, plastic: Plastic, places: &[Vec3], volumes: &[f64]) -> Self {
@@ -207,13 +215,22 @@ impl Flow {
         others: &[u32; LANES],
         extension: Reals<L>,
     ) -> [Reals<L>; 2] {
-        let ends = others.map(|other| &self.trial[other as usize]);
-        let there = lanes.columns_of_two(ends).map(|four| Reals { lanes, four });
-        let left = |plastic: &[Pack], round: &[Pack], [part, expansion]: [Reals<L>; 2]| {
-            let elastic = extension - lanes.read(&plastic[pack]);
-            elastic - (elastic * part - lanes.read(&round[pack]) * expansion)
-        };
-        [left(&self.own, &self.round, here), left(&self.twin, &self.round_twin, there)]
+        let there = pairs(lanes, &self.trial, others);
+        let near = Self::left(lanes, (&self.own[pack], &self.round[pack]), here, extension);
+        let far = Self::left(lanes, (&self.twin[pack], &self.round_twin[pack]), there, extension);
+        [near, far]
+    }
+
+    /// What of four extensions is elastic at one end.
+    #[inline(always)]
+    fn left<L: Lanes>(
+        lanes: L,
+        (plastic, round): (&Pack, &Pack),
+        [part, expansion]: [Reals<L>; 2],
+        extension: Reals<L>,
+    ) -> Reals<L> {
+        let elastic = extension - lanes.read(plastic);
+        elastic - (elastic * part - lanes.read(round) * expansion)
     }
 
     /// Half of the plastic extensions of both ends of four bonds \[L\], as they were kept.
