@@ -122,6 +122,9 @@ pub enum SolidError {
         /// What it must be.
         bound: &'static str,
     },
+    /// Bonds that yield where they cannot.
+    #[error("bonds that yield {0}")]
+    Yielding(&'static str),
     /// A crack that is none.
     #[error("crack {number} (numbered from 0) {problem}")]
     Crack {

@@ -9,6 +9,9 @@
 //! U  = Σᵢ Vᵢ [ ½(λ − μ) θᵢ² + ½ d(d+2) (μ/mᵢ) Σⱼ w e² V̄ⱼ ]
 //! ```
 //!
+//! Bonds of a state-based solid may yield ([`Plastic`]): each end of a bond has a plastic extension, and von Mises' stress of a node
+//! is that of its family.
+//!
 //! A thin plate is two networks in plane stress on directors, with transverse shear between columns ([`Sheets`]).
 //!
 //! In a fluid ([`Solid::wet`]) the nodes are the points of the boundary; damage changes nothing of that.
@@ -25,6 +28,8 @@ mod fracture;
 mod material;
 mod mirror;
 mod parts;
+mod plastic;
+mod readings;
 mod sheets;
 mod solid;
 mod statics;
@@ -40,5 +45,6 @@ pub use fracture::{Crack, Criterion, Fracture};
 pub use material::{Elastic, Moduli, Space};
 pub use mirror::Mirror;
 pub use parts::{Idealisation, Parts, Sheets};
+pub use plastic::Plastic;
 pub use solid::Solid;
 pub use statics::StaticSolid;

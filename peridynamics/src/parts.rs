@@ -7,6 +7,7 @@ use crate::contact::Contact;
 use crate::formulation::Formulation;
 use crate::fracture::{Crack, Fracture};
 use crate::material::Elastic;
+use crate::plastic::Plastic;
 
 /// What a solid is built from.
 #[derive(Clone, Debug)]
@@ -15,6 +16,8 @@ pub struct Parts {
     pub block: Block,
     /// What it is made of.
     pub material: Elastic,
+    /// How it yields; never without. State-based bonds in space, in marches.
+    pub plastic: Option<Plastic>,
     /// How bonds carry it.
     pub formulation: Idealisation,
     /// When bonds break; never without.

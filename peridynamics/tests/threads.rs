@@ -9,7 +9,7 @@ use std::sync::Mutex;
 
 use explicit_dynamics::{Amplitude, Clock, Dynamics};
 use lattices::{ALL, formulation, lattice, parts, poisson};
-use peridynamics::{AppliedLoad, Elastic, Law, Solid, Space, Support, Supported};
+use peridynamics::{AppliedLoad, Elastic, Law, Plastic, Solid, Space, Support, Supported};
 use sph_core::Vec3;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
@@ -20,7 +20,7 @@ static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 static ALONE: Mutex<()> = Mutex::new(());
 
 /// A block of several chunks of nodes, held at one end, pulled at the other by a prescribed motion and a load.
-fn body(space: Space, law: Law, threads: usize) -> Solid {
+fn body((space, law, plastic): (Space, Law, Option<Plastic>), threads: usize) -> Solid {
     let block = match space {
         Space::Solid => lattice(3, [17, 9, 8], [0.1; 3]),
         Space::PlaneStress | Space::PlaneStrain => lattice(2, [41, 31, 1], [0.1; 3]),
@@ -37,6 +37,7 @@ fn body(space: Space, law: Law, threads: usize) -> Solid {
             Supported { nodes: (count - layer..count).collect(), support: moved },
         ],
         loads: vec![AppliedLoad { forces: load, amplitude }],
+        plastic,
         threads,
         ..parts(block, material, formulation(space, law))
     })
@@ -47,7 +48,7 @@ fn body(space: Space, law: Law, threads: usize) -> Solid {
 fn bits(space: Space, law: Law, threads: usize) -> Vec<u64> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
-        let mut solid = body(space, law, threads);
+        let mut solid = body((space, law, None), threads);
         let mut clock = Clock::start(&mut solid, 1.0, 0.7, 0.01).unwrap();
         for _ in 0..40 {
             clock.step(&mut solid, f64::INFINITY, |_| 1.0).unwrap();
@@ -70,10 +71,10 @@ fn threads_do_not_change_a_bit() {
 }
 
 /// Allocations of 200 steps after a few to warm up.
-fn allocations(law: Law, threads: usize) -> usize {
+fn allocations(of: (Space, Law, Option<Plastic>), threads: usize) -> usize {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
-        let mut solid = body(Space::PlaneStress, law, threads);
+        let mut solid = body(of, threads);
         let mut clock = Clock::start(&mut solid, 1.0, 0.7, 0.01).unwrap();
         let mut march = |steps: usize| {
             for _ in 0..steps {
@@ -90,11 +91,17 @@ fn allocations(law: Law, threads: usize) -> usize {
 #[test]
 fn a_step_allocates_nothing() {
     let _alone = ALONE.lock().unwrap();
-    for law in [Law::BondBased, Law::StateBased] {
+    // The last one flows from the first steps on.
+    let soft = Plastic { yield_stress: 1e-9, hardening: 0.0 };
+    for case in [
+        (Space::PlaneStress, Law::BondBased, None),
+        (Space::PlaneStress, Law::StateBased, None),
+        (Space::Solid, Law::StateBased, Some(soft)),
+    ] {
         for threads in [1, 2] {
             // The test harness itself may allocate on its own thread now and then; a step that did would count 200.
-            let counted = allocations(law, threads);
-            assert!(counted < 20, "{law:?}: {counted} allocations in 200 steps on {threads} threads");
+            let counted = allocations(case, threads);
+            assert!(counted < 20, "{case:?}: {counted} allocations in 200 steps on {threads} threads");
         }
     }
 }

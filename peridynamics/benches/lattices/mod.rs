@@ -2,7 +2,7 @@
 #![allow(dead_code)] // each bench is a crate of its own and uses a part of this
 
 use peridynamics::{
-    Correction, Elastic, Formulation, Idealisation, Influence, Law, Parts, Solid, Space, Volumes,
+    Correction, Elastic, Formulation, Idealisation, Influence, Law, Parts, Plastic, Solid, Space, Volumes,
 };
 use sph_core::{Block, Vec3};
 
@@ -26,6 +26,15 @@ pub fn block(counts: [usize; 3]) -> Block {
 
 /// A free block of horizon 3.015 without partial volumes, slowly turning and stretching.
 pub fn body(counts: [usize; 3], law: Law, threads: usize) -> Solid {
+    yielding(counts, (law, Correction::None, None), threads)
+}
+
+/// The same with other weights, of bonds that may yield.
+pub fn yielding(
+    counts: [usize; 3],
+    (law, correction, plastic): (Law, Correction, Option<Plastic>),
+    threads: usize,
+) -> Solid {
     let space = if counts[2] == 1 { Space::PlaneStress } else { Space::Solid };
     let poisson = if law == Law::BondBased { space.pairwise_poisson() } else { 0.3 };
     let mut out = Solid::new(Parts {
@@ -37,8 +46,9 @@ pub fn body(counts: [usize; 3], law: Law, threads: usize) -> Solid {
             horizon: 3.015,
             volumes: Volumes::Whole,
             influence: Influence::Constant,
-            correction: Correction::None,
+            correction,
         }),
+        plastic,
         fracture: None,
         cracks: Vec::new(),
         contact: None,

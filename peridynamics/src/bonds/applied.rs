@@ -1,6 +1,6 @@
 //! The tangent of all bonds applied to a displacement, at any state.
 //!
-//! With M the direction of a bond, y its length, P its pull and δ the difference of the displacements of its ends,
+//! Of bonds that yield it is that of the elastic law, at what was kept of the flow. With M the direction of a bond, y its length, P its pull and δ the difference of the displacements of its ends,
 //!
 //! ```text
 //! δe = M·δ      δθ̂ᵢ = (λ − μ) Vᵢ Σⱼ Dᵢⱼ δe      δP = c δe + δθ̂ᵢ Dᵢⱼ + δθ̂ⱼ Dⱼᵢ
@@ -94,11 +94,16 @@ impl<const DILATATION: bool> Sweep for Chunk<'_, DILATATION> {
             let packs = network.packs_of(node);
             let [here, there] = network.shares(packs.clone());
             let elastic = network.lengths[packs.clone()].iter().zip(&network.stiffness[packs.clone()]);
-            let bonds = network.others[packs].iter().zip(elastic).zip(here.iter().zip(there));
-            for ((others, (rest, stiffness)), (here, there)) in bonds {
+            let first = packs.start;
+            let bonds = network.others[packs].iter().zip(elastic).zip(here.iter().zip(there)).enumerate();
+            for (k, ((others, (rest, stiffness)), (here, there))) in bonds {
                 let bond = Change::of(lanes, &own, others, [rows, along]);
                 let stiffness = lanes.read(stiffness);
-                let mut pull = stiffness * (bond.at.length - lanes.read(rest));
+                let mut extension = bond.at.length - lanes.read(rest);
+                if let Some(flow) = &network.flow {
+                    extension = extension - flow.mean(lanes, first + k);
+                }
+                let mut pull = stiffness * extension;
                 let mut more = stiffness * bond.extension;
                 if DILATATION {
                     let (here, there) = (lanes.read(here), lanes.read(there));

@@ -64,6 +64,7 @@ impl Breaking {
             }
         }
         crossed.iter().for_each(|&lane| self.sever(network, lane));
+        self.fit_flow(network);
         crossed.len()
     }
 
@@ -111,7 +112,7 @@ impl Breaking {
     /// Breaks the bonds noted; returns the energy that the body loses at these positions \[F L\].
     ///
     /// Of a node it is `Σ ¼ c e² + ½(λ − μ)V [θ² − (θ − Σ D e)²]`, the sums over its broken bonds, less the energy with
-    /// which `contact` takes over.
+    /// which `contact` takes over; where bonds yield, the first e is the elastic part of the extension.
     pub fn break_noted(
         &mut self,
         network: &mut Network,
@@ -176,7 +177,7 @@ impl Breaking {
         let rows = &*network.extended(rows);
         let lanes = self.with_images(network, lanes);
         let mut next = lanes.as_slice();
-        let mut lost = 0.0;
+        let (mut lost, mut touched) = (0.0, Vec::new());
         while let Some(&first) = next.first() {
             let node = network.node_of(first);
             let end = next.partition_point(|&lane| lane < network.lanes_of(node).end);
@@ -185,7 +186,8 @@ impl Breaking {
             for &lane in &next[..end] {
                 let bond = network.bond(lane);
                 let e = bond.extension(node, rows);
-                held += 0.25 * bond.stiffness * e * e;
+                let [elastic, _] = network.elastic(node, &bond, e);
+                held += 0.25 * bond.stiffness * elastic * elastic;
                 held -= 0.5
                     * contact.map_or(0.0, |c| c.of_broken([node, bond.other], bond.length, bond.length + e));
                 share += bond.shares[0] * e;
@@ -194,11 +196,13 @@ impl Breaking {
             if let Some(dilatation) = &network.dilatation {
                 held += dilatation.factors[node] * share * (theta - 0.5 * share);
             }
+            touched.push(node);
             held *= counted;
             self.energies[node] += held;
             lost += held;
             next = &next[end..];
         }
+        network.fit_flow(touched);
         lost
     }
 
@@ -229,6 +233,16 @@ impl Breaking {
         }
         if let Some(works) = &mut self.works {
             clear(&mut works.lanes, lane);
+        }
+    }
+
+    /// Fits what yields to the bonds left of the nodes that lost any.
+    fn fit_flow(&self, network: &mut Network) {
+        if network.flow.is_some() {
+            let packs = |node: usize| network.packs_of(node);
+            let lost = |&node: &usize| self.bonds.broken(packs(node)).next().is_some();
+            let nodes: Vec<usize> = (0..network.len()).filter(lost).collect();
+            network.fit_flow(nodes);
         }
     }
 
@@ -287,6 +301,7 @@ impl Breaking {
             return false;
         }
         broken.iter().for_each(|&lane| self.sever(network, lane as usize));
+        self.fit_flow(network);
         self.energies.copy_from_slice(energies);
         if let Some(own) = &mut self.works {
             own.take_up(works);

@@ -177,7 +177,7 @@ impl Plain<'_> {
 }
 
 /// `n_a²`, then `n_a n_b` for a < b: in space six, in a plane three.
-fn products<const T: usize>(n: &Vec3) -> SVector<f64, T> {
+pub(super) fn products<const T: usize>(n: &Vec3) -> SVector<f64, T> {
     let all = if T == 3 {
         [n.x * n.x, n.y * n.y, n.x * n.y, 0.0, 0.0, 0.0]
     } else {
@@ -197,7 +197,10 @@ type Solve<const T: usize> = fn(SMatrix<f64, T, T>, &SVector<f64, T>) -> SVector
 /// [`Solve`] for so many unknowns: eigenvalues are found for sizes that are known by name.
 macro_rules! least {
     ($name:ident, $size:literal) => {
-        fn $name(matrix: SMatrix<f64, $size, $size>, wanted: &SVector<f64, $size>) -> SVector<f64, $size> {
+        pub(super) fn $name(
+            matrix: SMatrix<f64, $size, $size>,
+            wanted: &SVector<f64, $size>,
+        ) -> SVector<f64, $size> {
             let eigen = SymmetricEigen::new(matrix);
             let top = eigen.eigenvalues.iter().fold(0.0_f64, |top, value| top.max(value.abs()));
             let mut out = SVector::zeros();

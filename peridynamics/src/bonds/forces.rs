@@ -2,7 +2,8 @@
 //!
 //! A bond of extension e along M pulls its node with `(c e + θ̂ᵢ Dᵢⱼ + θ̂ⱼ Dⱼᵢ) M`, c its stiffness and
 //! `θ̂ = (λ − μ) V θ`. Each direction of a bond is worked out at its own node. The extension is the same from both ends to
-//! the last bit, and so is the pull: forces sum to zero but for rounding, and a bond breaks at both ends in one step.
+//! the last bit, and so is the pull: forces sum to zero but for rounding, and a bond breaks at both ends in one step. Where bonds
+//! yield, e of the first term is the mean of the elastic parts that both ends have ([`super::flow`]).
 
 use lanes::{Lanes, Sweep, Vector, widest};
 use parallel::{ByChunk, CHUNK};
@@ -48,8 +49,8 @@ impl Scratch {
     }
 }
 
-/// Adds up one chunk of nodes; `DILATATION` where the law has one.
-struct Chunk<'a, const DILATATION: bool, const ENERGY: bool, const WATCH: bool> {
+/// Adds up one chunk of nodes; `DILATATION` where the law has one, `FLOW` where bonds yield.
+struct Chunk<'a, const DILATATION: bool, const FLOW: bool, const ENERGY: bool, const WATCH: bool> {
     network: &'a Network,
     rows: &'a [Row],
     first: usize,
@@ -58,8 +59,8 @@ struct Chunk<'a, const DILATATION: bool, const ENERGY: bool, const WATCH: bool> 
     beyond: &'a mut Vec<u32>,
 }
 
-impl<const DILATATION: bool, const ENERGY: bool, const WATCH: bool> Sweep
-    for Chunk<'_, DILATATION, ENERGY, WATCH>
+impl<const DILATATION: bool, const FLOW: bool, const ENERGY: bool, const WATCH: bool> Sweep
+    for Chunk<'_, DILATATION, FLOW, ENERGY, WATCH>
 {
     /// Stored energy.
     type Output = f64;
@@ -69,6 +70,7 @@ impl<const DILATATION: bool, const ENERGY: bool, const WATCH: bool> Sweep
         let Self { network, rows, first, forces, watch, beyond } = self;
         let mut energy = 0.0;
         let none = lanes.same(0.0);
+        let flow = network.flow.as_deref().filter(|_| FLOW);
         let [low, high] =
             watch.map_or([none; 2], |watch| [watch.compression, watch.tension].map(|s| lanes.same(s)));
         for (i, force) in forces.iter_mut().enumerate() {
@@ -76,6 +78,7 @@ impl<const DILATATION: bool, const ENERGY: bool, const WATCH: bool> Sweep
             let own = Own::all(lanes, &rows[node]);
             let mut sum = lanes.vector([0.0; 3]);
             let mut stored = none;
+            let returned = flow.map_or([none; 2], |flow| flow.trial[node].map(|value| lanes.same(value)));
             let packs = network.packs_of(node);
             let start = packs.start;
             let [here, there] = network.shares(packs.clone());
@@ -85,9 +88,20 @@ impl<const DILATATION: bool, const ENERGY: bool, const WATCH: bool> Sweep
                 let bond = Present::of(lanes, &own, others, rows);
                 let rest = lanes.read(rest);
                 let extension = bond.length - rest;
-                let mut pull = lanes.read(stiffness) * extension;
-                if ENERGY {
-                    stored += pull * extension;
+                let stiffness = lanes.read(stiffness);
+                let mut pull;
+                if FLOW && let Some(flow) = flow {
+                    let [near, far] = flow.elastic(lanes, start + k, returned, others, extension);
+                    // The sum first: the same from both ends, and without flow that of an elastic bond.
+                    pull = stiffness * ((near + far) * 0.5);
+                    if ENERGY {
+                        stored += stiffness * near * near;
+                    }
+                } else {
+                    pull = stiffness * extension;
+                    if ENERGY {
+                        stored += pull * extension;
+                    }
                 }
                 if DILATATION {
                     // The sum of the two products first: the same from both ends.
@@ -147,7 +161,7 @@ impl Network {
     /// Internal forces `∂U/∂x` of all nodes at the positions in `rows`, whose last places take the dilatations, and those behind
     /// the nodes' the images; returns the stored energy \[F L\], zero unless wanted.
     pub fn evaluate(
-        &self,
+        &mut self,
         rows: &mut [Row],
         forces: &mut [Row],
         scratch: &mut Scratch,
@@ -156,24 +170,39 @@ impl Network {
         if let Some(images) = &self.images {
             images.place(rows);
         }
-        if self.dilatation.is_some() {
+        if let Some(mut flow) = self.flow.take() {
+            self.try_flow(&mut flow, rows, &mut scratch.dilatations, wanted.threads);
+            self.flow = Some(flow);
+        } else if self.dilatation.is_some() {
             self.dilate(rows, &mut scratch.dilatations, wanted.threads);
         }
-        let sweep = match (self.dilatation.is_some(), wanted.energy, wanted.watch.is_some()) {
-            (false, false, false) => Self::sweep::<false, false, false>,
-            (false, true, false) => Self::sweep::<false, true, false>,
-            (false, false, true) => Self::sweep::<false, false, true>,
-            (false, true, true) => Self::sweep::<false, true, true>,
-            (true, false, false) => Self::sweep::<true, false, false>,
-            (true, true, false) => Self::sweep::<true, true, false>,
-            (true, false, true) => Self::sweep::<true, false, true>,
-            (true, true, true) => Self::sweep::<true, true, true>,
+        let sweep = match (self.dilatation.is_some(), self.flow.is_some()) {
+            (false, _) => Self::with::<false, false>,
+            (true, false) => Self::with::<true, false>,
+            (true, true) => Self::with::<true, true>,
         };
         sweep(self, rows, forces, scratch, wanted);
         scratch.energies.iter().sum()
     }
 
-    fn sweep<const DILATATION: bool, const ENERGY: bool, const WATCH: bool>(
+    /// The sweep of a law.
+    fn with<const DILATATION: bool, const FLOW: bool>(
+        &self,
+        rows: &[Row],
+        forces: &mut [Row],
+        scratch: &mut Scratch,
+        wanted: Wanted<'_>,
+    ) {
+        let sweep = match (wanted.energy, wanted.watch.is_some()) {
+            (false, false) => Self::sweep::<DILATATION, FLOW, false, false>,
+            (true, false) => Self::sweep::<DILATATION, FLOW, true, false>,
+            (false, true) => Self::sweep::<DILATATION, FLOW, false, true>,
+            (true, true) => Self::sweep::<DILATATION, FLOW, true, true>,
+        };
+        sweep(self, rows, forces, scratch, wanted);
+    }
+
+    fn sweep<const DILATATION: bool, const FLOW: bool, const ENERGY: bool, const WATCH: bool>(
         &self,
         rows: &[Row],
         forces: &mut [Row],
@@ -184,7 +213,7 @@ impl Network {
         let chunk = |first: usize, (forces, (ByChunk(energy), ByChunk(beyond))): Parts<'_>| {
             let ([energy, ..], [beyond, ..]) = (energy, beyond) else { return };
             beyond.clear();
-            *energy = widest(Chunk::<DILATATION, ENERGY, WATCH> {
+            *energy = widest(Chunk::<DILATATION, FLOW, ENERGY, WATCH> {
                 network: self,
                 rows,
                 first,
@@ -214,6 +243,7 @@ mod tests {
             dilatation: None,
             bonds: 0,
             images: None,
+            flow: None,
         };
         let (mut own, mut twin) = (Vec::new(), Vec::new());
         for node in 0..nodes {
@@ -242,7 +272,7 @@ mod tests {
         let lanes_of = vec![0b1011; network.others.len()];
         let watch = Watch { lanes: lanes_of, tension: 0.2, compression: -0.1 };
         let (mut forces, mut beyond) = (vec![[0.0; 4]; rows.len()], Vec::new());
-        let chunk = Chunk::<DILATATION, true, true> {
+        let chunk = Chunk::<DILATATION, false, true, true> {
             network,
             rows,
             first: 0,

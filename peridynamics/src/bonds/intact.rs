@@ -73,11 +73,16 @@ pub(crate) struct Bond {
     pub stiffness: f64,
     /// Dᵢⱼ and Dⱼᵢ \[1/L\]; zero where there is no dilatation.
     pub shares: [f64; 2],
+    /// Plastic extensions at its own and at the other node, as they were kept \[L\].
+    pub plastic: [f64; 2],
+    /// Its round parts there \[L\].
+    pub round: [f64; 2],
 }
 
 impl Network {
     /// A directed bond by its lane, counted through all packs.
     pub fn bond(&self, lane: usize) -> Bond {
+        let [plastic, round] = self.flow.as_ref().map_or([[0.0; 2]; 2], |flow| flow.of_lane(lane));
         let (pack, lane) = (lane / LANES, lane % LANES);
         let shares = self.dilatation.as_ref().map_or([0.0; 2], |d| [d.own[pack][lane], d.twin[pack][lane]]);
         Bond {
@@ -85,6 +90,8 @@ impl Network {
             length: self.lengths[pack][lane],
             stiffness: self.stiffness[pack][lane],
             shares,
+            plastic,
+            round,
         }
     }
 
@@ -121,15 +128,25 @@ impl Bond {
         let (a, b) = (&rows[node], &rows[self.other]);
         Vec3::new(b[0] - a[0], b[1] - a[1], b[2] - a[2])
     }
-
-    /// What it pulls with \[F\].
-    pub fn pull(&self, extension: f64, node: usize, rows: &[Row]) -> f64 {
-        let [own, twin] = self.shares;
-        self.stiffness * extension + (rows[node][3] * own + rows[self.other][3] * twin)
-    }
 }
 
 impl Network {
+    /// Elastic parts of the extension of a bond of a node, as that node has it and as the other one, in the state last evaluated.
+    pub fn elastic(&self, node: usize, bond: &Bond, extension: f64) -> [f64; 2] {
+        let Some(flow) = &self.flow else { return [extension; 2] };
+        let left = |k: usize, end: usize| {
+            let (elastic, [part, expansion]) = (extension - bond.plastic[k], flow.trial[end]);
+            elastic - (elastic * part - bond.round[k] * expansion)
+        };
+        [left(0, node), left(1, bond.other)]
+    }
+
+    /// What a bond of a node pulls with \[F\].
+    pub fn pull(&self, node: usize, bond: &Bond, extension: f64, rows: &[Row]) -> f64 {
+        let ([own, twin], [near, far]) = (bond.shares, self.elastic(node, bond, extension));
+        bond.stiffness * (0.5 * (near + far)) + (rows[node][3] * own + rows[bond.other][3] * twin)
+    }
+
     /// Dilatation θ of a node \[–\], zero for a law without one.
     pub fn dilatation_of(&self, node: usize, rows: &[Row]) -> f64 {
         let part = |lane: usize| {
@@ -143,7 +160,8 @@ impl Network {
     pub fn stored(&self, rows: &[Row], node: usize) -> f64 {
         let half = |lane: usize| {
             let bond = self.bond(lane);
-            0.25 * bond.stiffness * bond.extension(node, rows).powi(2)
+            let [elastic, _] = self.elastic(node, &bond, bond.extension(node, rows));
+            0.25 * bond.stiffness * elastic.powi(2)
         };
         let factor = self.dilatation.as_ref().map_or(0.0, |dilatation| dilatation.factors[node]);
         let dilated = if factor == 0.0 { 0.0 } else { 0.5 * rows[node][3] * rows[node][3] / factor };
@@ -160,7 +178,11 @@ impl Network {
             }
             let y = bond.between(node, rows);
             let length = y.norm();
-            if length > 0.0 { bond.pull(length - bond.length, node, rows) * y[axis] / length } else { 0.0 }
+            if length > 0.0 {
+                self.pull(node, &bond, length - bond.length, rows) * y[axis] / length
+            } else {
+                0.0
+            }
         };
         images.counts(node, axis) * self.lanes_of(node).map(of).sum::<f64>()
     }
@@ -174,7 +196,8 @@ impl Network {
             let y = bond.between(node, rows);
             let length = y.norm();
             if length > 0.0 {
-                sum += y * y.transpose() * (0.5 * bond.pull(length - bond.length, node, rows) / length);
+                let pull = self.pull(node, &bond, length - bond.length, rows);
+                sum += y * y.transpose() * (0.5 * pull / length);
             }
         }
         sum

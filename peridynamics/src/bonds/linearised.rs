@@ -96,8 +96,8 @@ impl Network {
                 let Bond { other, stiffness, shares: [own, twin], .. } = bond;
                 let now = bond.between(node, rows);
                 let y = now.norm().max(COLLAPSED);
-                let pull = stiffness * bond.extension(node, pulling)
-                    + (own * hat(node) + twin * hat(self.source(other)));
+                let elastic = bond.extension(node, pulling) - 0.5 * (bond.plastic[0] + bond.plastic[1]);
+                let pull = stiffness * elastic + (own * hat(node) + twin * hat(self.source(other)));
                 let (direction, across) = (now / y, pull / y);
                 let other = other as u32;
                 out.bonds.push(LinearisedBond { other, stiffness, own, twin, direction, across });

@@ -4,6 +4,7 @@ use implicit_statics::BlockPattern;
 use nalgebra::Matrix3;
 
 use super::couplings::Coupling;
+use super::flow::Past;
 use super::network::Row;
 use crate::unknowns::Unknowns;
 
@@ -99,6 +100,31 @@ pub(crate) trait Mechanics: Send + Sync {
 
     /// Takes up such arrays of the same body; false, and nothing changed, for those of another.
     fn take_up(&mut self, broken: [&[f64]; 3]) -> bool;
+
+    /// Whether bonds yield.
+    fn yields(&self) -> bool {
+        false
+    }
+
+    /// Keeps what flowed in the rows last evaluated; returns the plastic work \[F L\].
+    fn keep_flow(&mut self, _rows: &[Row], _threads: usize) -> f64 {
+        0.0
+    }
+
+    /// What a node went through; nothing where bonds do not yield.
+    fn past(&self, _node: usize) -> Option<Past> {
+        None
+    }
+
+    /// Arrays of all that flow changes.
+    fn flowed(&self) -> [Vec<f64>; 2] {
+        Default::default()
+    }
+
+    /// Takes up such arrays of the same body; false, and nothing changed, for those of another.
+    fn take_up_flow(&mut self, flowed: [&[f64]; 2]) -> bool {
+        flowed.iter().all(|array| array.is_empty())
+    }
 }
 
 /// What an evaluation does.

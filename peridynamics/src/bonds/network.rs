@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::correction::Weights;
 use super::families::Families;
+use super::flow::Flow;
 use super::images::Images;
 pub(crate) use super::images::Row;
 use crate::material::Moduli;
@@ -28,6 +29,8 @@ pub(crate) struct Network {
     pub bonds: usize,
     /// What planes of symmetry make of the nodes: rows of images stand behind those of the nodes.
     pub images: Option<Arc<Images>>,
+    /// What of the extensions is plastic, where bonds yield.
+    pub flow: Option<Box<Flow>>,
 }
 
 /// Dilatations per extension, and what they stress.
@@ -59,6 +62,7 @@ impl Network {
             }),
             bonds: families.others.len(),
             images: families.images.clone(),
+            flow: None,
         };
         let packs = (0..families.len()).map(|node| families.of(node).len().div_ceil(LANES)).sum();
         out.reserve(packs);
@@ -139,6 +143,7 @@ impl Network {
     /// Memory of the packs \[bytes\].
     pub fn bytes(&self) -> usize {
         let arrays = if self.dilatation.is_some() { 4 } else { 2 };
-        self.others.len() * (size_of::<[u32; LANES]>() + arrays * size_of::<Pack>())
+        let flow = self.flow.as_ref().map_or(0, |flow| flow.bytes());
+        self.others.len() * (size_of::<[u32; LANES]>() + arrays * size_of::<Pack>()) + flow
     }
 }

@@ -7,6 +7,7 @@ use super::couplings::Coupling;
 use super::faces::areas;
 use super::families::{Families, Nodes};
 use super::flatness::refuse_flat;
+use super::flow::{Flow, Past};
 use super::forces::{Scratch, Wanted};
 use super::fragments::fragments;
 use super::limits::Lattice;
@@ -18,6 +19,7 @@ use crate::formulation::{Correction, Formulation};
 use crate::fracture::Breakage;
 use crate::material::Elastic;
 use crate::mirror::Mirror;
+use crate::plastic::Plastic;
 use crate::unknowns::Unknowns;
 use implicit_statics::BlockPattern;
 use nalgebra::Matrix3;
@@ -41,12 +43,13 @@ impl SolidBonds {
     /// [`SolidError`] for the material, the horizon, the nodes, a body in space without thickness, and for what breaks it.
     pub fn new(
         block: &Block,
-        material: &Elastic,
+        (material, plastic): (&Elastic, Option<&Plastic>),
         formulation: &Formulation,
         breakage: &Breakage,
         mirrors: &[Mirror],
     ) -> Result<Self, SolidError> {
         let moduli = formulation.moduli(material)?;
+        plastic.map_or(Ok(()), |plastic| plastic.check(formulation))?;
         let spacing = block.greatest_spacing();
         let nodes = Nodes { positions: &block.positions, volumes: &block.volumes, spacing, mirrors };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes)?;
@@ -65,6 +68,9 @@ impl SolidBonds {
             body.bring(&mut weights)?;
         }
         let mut network = Network::new(&families, &weights, &block.volumes, &moduli);
+        if let Some(&plastic) = plastic {
+            network.flow = Some(Box::new(Flow::new(&network, plastic, places, &block.volumes)));
+        }
         let scratch = Scratch::new(&network);
         let mut breaking = breakage.breaks().then(|| Breaking::new(&network, &families, &block.volumes));
         if let Some(breaking) = &mut breaking {
@@ -227,6 +233,30 @@ impl Mechanics for SolidBonds {
         match &mut self.breaking {
             Some(breaking) => breaking.take_up(&mut self.network, broken),
             None => broken.iter().all(|array| array.is_empty()),
+        }
+    }
+
+    fn yields(&self) -> bool {
+        self.network.flow.is_some()
+    }
+
+    fn keep_flow(&mut self, rows: &[Row], threads: usize) -> f64 {
+        let rows = if self.long[0].is_empty() { rows } else { &self.long[0] };
+        self.network.keep_flow(rows, threads)
+    }
+
+    fn past(&self, node: usize) -> Option<Past> {
+        self.network.flow.as_ref().map(|flow| flow.past[node])
+    }
+
+    fn flowed(&self) -> [Vec<f64>; 2] {
+        self.network.flow.as_ref().map_or_else(Default::default, |flow| flow.state())
+    }
+
+    fn take_up_flow(&mut self, flowed: [&[f64]; 2]) -> bool {
+        match &mut self.network.flow {
+            Some(flow) => flow.take_up(flowed),
+            None => flowed.iter().all(|array| array.is_empty()),
         }
     }
 }

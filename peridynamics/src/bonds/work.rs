@@ -1,4 +1,5 @@
-//! The work done on bonds, `∫ f de` along the way of each: what breaks bonds of a state-based body by their energy.
+//! The work done on bonds, `∫ f de` along the way of each: what breaks bonds of a state-based body by their energy. What a bond that
+//! yields took for that is part of it.
 
 use parallel::{ByChunk, CHUNK};
 
@@ -66,7 +67,7 @@ impl Works {
                     }
                     let (bond, worked) = (network.bond(lane), &mut chunk.bonds[lane - chunk.first]);
                     let extension = bond.extension(node, rows);
-                    let pull = bond.pull(extension, node, rows);
+                    let pull = network.pull(node, &bond, extension, rows);
                     worked.done = worked.up_to(pull, extension);
                     (worked.pull, worked.extension) = (pull, extension);
                     if extension > 0.0 && worked.done > worked.limit {
@@ -83,7 +84,7 @@ impl Works {
         let chunk = &self.chunks[node / CHUNK];
         let (bond, worked) = (network.bond(lane), &chunk.bonds[lane - chunk.first]);
         let extension = bond.extension(node, rows);
-        let done = worked.up_to(bond.pull(extension, node, rows), extension);
+        let done = worked.up_to(network.pull(node, &bond, extension, rows), extension);
         if extension > 0.0 { (done.max(0.0) / worked.limit).sqrt() } else { 0.0 }
     }
 

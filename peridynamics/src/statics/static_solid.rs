@@ -316,6 +316,14 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
     }
 
     fn within_bounds(&self) -> Result<(), OutOfBounds> {
+        if self.solid.mechanics.yields() {
+            return Err(OutOfBounds {
+                place: "a solid of bonds".into(),
+                what: "bodies whose bonds yield",
+                value: 1.0,
+                bound: "none in statics: their equilibria hang on the way there; take a quasi-static march",
+            });
+        }
         match self.solid.mechanics.shortest(&self.solid.rows) {
             (node, ratio) if ratio < SHORTEST => Err(OutOfBounds {
                 place: format!("the shortest bond of node {node}"),

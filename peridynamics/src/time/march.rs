@@ -24,7 +24,9 @@ impl Dynamics for Solid {
     }
 
     fn kick(&mut self, step: &Step) -> Work {
+        let plastic = self.keep_flow(step);
         let mut work = self.pass::<false>(step);
+        work.dissipated += plastic;
         // A kick of no span shows a state: what breaks in it is counted by the kick that follows.
         if step.kick > 0.0 && self.mechanics.noted() {
             work.dissipated += self.break_noted(0.5 * step.drift());
@@ -45,7 +47,10 @@ impl Dynamics for Solid {
             self.drift(step);
             return work;
         }
-        self.pass::<true>(step)
+        let plastic = self.keep_flow(step);
+        let mut work = self.pass::<true>(step);
+        work.dissipated += plastic;
+        work
     }
 
     fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
@@ -84,6 +89,11 @@ impl Dynamics for Solid {
 }
 
 impl Solid {
+    /// Keeps what flowed in the last evaluation, once a step: a kick of no span shows a state. Returns the plastic work \[F L\].
+    fn keep_flow(&mut self, step: &Step) -> f64 {
+        if step.kick > 0.0 { self.mechanics.keep_flow(&self.rows, self.threads) } else { 0.0 }
+    }
+
     /// Breaks the bonds noted in the last evaluation; returns the energy they hold after so much time \[F L\].
     ///
     /// A kick has their pull up to the middle of the step, so that their energy is that of there: with it the balance of

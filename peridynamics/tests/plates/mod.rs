@@ -46,6 +46,7 @@ pub fn parts(block: Block, material: Elastic) -> Parts {
         block,
         material,
         formulation: Idealisation::Sheets(Sheets { thickness, formulation: formulation(Law::StateBased) }),
+        plastic: None,
         fracture: None,
         cracks: Vec::new(),
         contact: None,

@@ -54,6 +54,7 @@ pub fn parts(block: Block, material: Elastic, formulation: Formulation) -> Parts
         block,
         material,
         formulation: Idealisation::Bonds(formulation),
+        plastic: None,
         fracture: None,
         cracks: Vec::new(),
         contact: None,

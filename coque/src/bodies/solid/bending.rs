@@ -43,6 +43,7 @@ pub(super) fn stiffness(body: &SolidScene, [along, across]: [usize; 2]) -> Optio
         block,
         material,
         formulation: Idealisation::Bonds(bonds),
+        plastic: None,
         fracture: None,
         cracks: Vec::new(),
         contact: None,

@@ -106,6 +106,7 @@ fn assemble_solid(
     let parts = Parts {
         material,
         formulation: carrier(wanted, &lattice),
+        plastic: None,
         fracture,
         cracks: cracks(wanted, &lattice),
         contact: contact(wanted),

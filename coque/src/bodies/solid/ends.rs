@@ -42,6 +42,7 @@ pub(super) fn excess(body: &SolidScene) -> Option<f64> {
         block,
         material: Elastic { young, poisson, density: 1.0 },
         formulation: Idealisation::Bonds(Formulation { space, ..bonds }),
+        plastic: None,
         fracture: None,
         cracks: Vec::new(),
         contact: None,
