@@ -35,13 +35,14 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 91] = [
+const EXAMPLES: [Example; 92] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
     Example::new("ball-on-plate", 2.0, include_str!("../../../scenes/ball-on-plate.toml")),
     Example::new("balloon-inflating", 0.5, include_str!("../../../scenes/meshes/balloon-inflating.toml")),
     Example::new("balloon-pumped", 1.0, include_str!("../../../scenes/meshes/balloon-pumped.toml")),
+    Example::new("bar-bonds-yielding", 0.5, include_str!("../../../scenes/bar-bonds-yielding.toml")),
     Example::new("block-on-flat", 0.1, include_str!("../../../scenes/block-on-flat.toml")),
     Example::new("block-on-incline", 0.1, include_str!("../../../scenes/block-on-incline.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),

@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 46] = [
+const SCENES: [(&str, Replaced); 47] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -70,6 +70,7 @@ const SCENES: [(&str, Replaced); 46] = [
     ("plate-clamped-solid.toml", &[]),
     ("thick-ring-solid.toml", &[]),
     ("cylinder-bursting.toml", &BURSTING),
+    ("bar-bonds-yielding.toml", &DRAWN),
     ("plate-pd.toml", &[("analysis", "{ static = { levels = [0.02, 0.04] } }")]),
     ("../coque/tests/metamorphic/bar.toml", &[("analysis", "{ static = { levels = 3 } }")]),
 ];
@@ -121,6 +122,16 @@ const FLOODED: [(&str, &str); 2] = [
 /// Well into its yield.
 const YIELDING: [(&str, &str); 2] =
     [("geometry.sphere.particles", "[9, 9]"), ("analysis.static.levels", "[0.1, 0.2, 0.3, 0.4]")];
+
+/// Drawn at one rate: times in tables have no unit of their own on the page.
+const DRAWN: [(&str, &str); 2] = [
+    (
+        "supports",
+        "[{ on = \"x0\", held = { displacement = [[1.0, 0.0, 0.0]] } }, \
+         { on = \"x1\", moved = { direction = [1.0, 0.0, 0.0], by = 0.08 }, amplitude = { ramp = 2.7e-4 } }]",
+    ),
+    ("analysis.explicit.transient.duration", "3e-4"),
+];
 
 /// Half of it yields.
 const BURSTING: [(&str, &str); 2] = [

@@ -9,7 +9,7 @@ use sph_core::Vec3;
 
 use super::fields::fields;
 use crate::bodies::body::{Body, Configuration, DynamicBody, Mismatch, StateArray, StaticBody};
-use crate::bodies::{FieldRequest, FieldSource, Outline};
+use crate::bodies::{FieldRequest, FieldSource, Outline, Yielding};
 use crate::scene::Measured;
 
 impl Body for Solid {
@@ -39,6 +39,16 @@ impl Body for Solid {
         fields(self, shown)
     }
 
+    fn yielding(&self, _body: usize) -> Vec<Yielding> {
+        let volumes = &self.block().volumes;
+        let of = |node: usize| {
+            let plastic_strain = self.plastic_strain(node)?;
+            let dissipated = self.plastic_work(node)? * volumes[node];
+            Some(Yielding { plastic_strain, dissipated, ..Yielding::default() })
+        };
+        (0..self.len()).map_while(of).collect()
+    }
+
     fn outlines(&self) -> Vec<Outline> {
         let least = self.block().spacing.into_iter().filter(|own| *own > 0.0).fold(f64::INFINITY, f64::min);
         vec![Outline::of_particles(self.len(), 0.5 * least)]
@@ -49,22 +59,38 @@ impl Body for Solid {
         let [bonds, energies, works] = self.broken();
         let owned =
             |name: &'static str, numbers| StateArray { name: name.into(), numbers: Cow::Owned(numbers) };
-        vec![
+        let [plastic, past] = self.flowed();
+        let mut all = vec![
             StateArray::new("positions and directors", rows),
             StateArray::new("their rates", rates),
             owned("broken bonds", bonds),
             owned("energies of broken bonds", energies),
             owned("work on bonds", works),
-        ]
+        ];
+        if !plastic.is_empty() {
+            all.extend([
+                owned("plastic extensions of bonds", plastic),
+                owned("plastic strains and works", past),
+            ]);
+        }
+        all
     }
 
     fn set_state(&mut self, arrays: &[StateArray<'_>]) -> Result<(), Mismatch> {
         let [rows, rates, broken @ ..] = arrays else { return Err(Mismatch) };
-        let [bonds, energies, works] = broken else { return Err(Mismatch) };
+        let [bonds, energies, works, flowed @ ..] = broken else { return Err(Mismatch) };
+        let flowed = match flowed {
+            [] => [&[][..]; 2],
+            [plastic, past] => [&plastic.numbers[..], &past.numbers],
+            _ => return Err(Mismatch),
+        };
         let (rows, left) = rows.numbers.as_chunks();
         let (rates, over) = rates.numbers.as_chunks();
         let broken = [bonds, energies, works].map(|array| array.numbers.as_ref());
-        let fits = left.is_empty() && over.is_empty() && self.take_up([rows, rates], broken);
+        let fits = left.is_empty()
+            && over.is_empty()
+            && self.take_up([rows, rates], broken)
+            && self.take_up_flow(flowed);
         if fits { Ok(()) } else { Err(Mismatch) }
     }
 }
@@ -76,6 +102,8 @@ impl DynamicBody for Solid {
     }
 
     fn at_rest(&mut self) -> Option<Box<dyn StaticBody + '_>> {
+        // Of bonds that yield the tangent hangs on the way.
+        self.check_statics().ok()?;
         Some(Box::new(StaticSolid::lent(self)))
     }
 }
@@ -91,6 +119,10 @@ impl<S: DerefMut<Target = Solid> + Send> Body for StaticSolid<S> {
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self.solid(), shown)
+    }
+
+    fn yielding(&self, body: usize) -> Vec<Yielding> {
+        self.solid().yielding(body)
     }
 
     fn outlines(&self) -> Vec<Outline> {

@@ -8,7 +8,7 @@ use sph_core::{Block, BlockLattice};
 
 use super::conditions::{driver, holds, loads, mirrors, probes, set_out, supports};
 use super::describe::describe;
-use super::parts::{carrier, contact, cracks, cut_outs, fracture, material};
+use super::parts::{carrier, contact, cracks, cut_outs, fracture, material, plastic};
 use super::sets::NodeSets;
 use super::warnings::warnings_of;
 use crate::bodies::imperfect::{deflection, of_modes};
@@ -106,7 +106,7 @@ fn assemble_solid(
     let parts = Parts {
         material,
         formulation: carrier(wanted, &lattice),
-        plastic: None,
+        plastic: plastic(wanted),
         fracture,
         cracks: cracks(wanted, &lattice),
         contact: contact(wanted),
@@ -185,7 +185,9 @@ fn solid_refusal(scene: &BodyInScene<'_>, wanted: &SolidScene, error: &SolidErro
     let of_body = |path: &str| scene.body_scope().path(path);
     let formulation = format!("formulation.{}", wanted.formulation.word());
     let path = match error {
-        SolidError::Material { .. } | SolidError::Pairwise(..) => of_body("material.elastic"),
+        SolidError::Material { .. } | SolidError::Pairwise(..) => {
+            of_body(&format!("material.{}", wanted.material.word()))
+        }
         SolidError::Horizon(_) | SolidError::Alone(_) => of_body(&format!("{formulation}.horizon")),
         SolidError::Coincident(..) | SolidError::Volume { .. } | SolidError::OneLayer => {
             of_body("geometry.block")
@@ -194,6 +196,7 @@ fn solid_refusal(scene: &BodyInScene<'_>, wanted: &SolidScene, error: &SolidErro
         SolidError::EmptySet(_) | SolidError::NoSuchNode { .. } => "sets".into(),
         SolidError::Unbalanced(_) | SolidError::Flat { .. } => of_body(&format!("{formulation}.correction")),
         SolidError::Limit { .. } => of_body("fracture"),
+        SolidError::Yielding(_) => of_body("material.plastic"),
         SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
         SolidError::NotThin | SolidError::WetSheets => of_body(&formulation),
         SolidError::SheetContact | SolidError::MirroredContact => of_body("contact"),

@@ -44,9 +44,16 @@ fn lists(scene: &BodyInScene<'_>, solid_scene: &SolidScene, solid: &Solid) -> (V
             "{bonds} bonds, {word}, finite rotations, {}",
             solid_scene.formulation.describe(solid_scene.correction())
         ),
-        "isotropic elasticity, linear in the extension of bonds".into(),
+        match solid_scene.material.yields() {
+            true => "elasticity that yields by von Mises: families of bonds by the energy of their deviators"
+                .into(),
+            false => "isotropic elasticity, linear in the extension of bonds".into(),
+        },
     ];
-    let mut left_out: Vec<String> = vec!["plasticity".into()];
+    let mut left_out: Vec<String> = Vec::new();
+    if !solid_scene.material.yields() {
+        left_out.push("plasticity".into());
+    }
     match &solid_scene.fracture {
         Some(fracture) => modelled.push(match (fracture.energy, fracture.by.unwrap_or_default()) {
             (Some(energy), BondMeasure::Stretch) => {

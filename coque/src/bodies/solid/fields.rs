@@ -89,6 +89,11 @@ impl Content<'_> {
         if matches!(self.shown.state, State::Mode | State::Linear) {
             return Ok(());
         }
+        if solid.plastic_strain(0).is_some() {
+            self.numbers(to, "plastic_strain", Quantity::Ratio, |a| {
+                solid.plastic_strain(a).unwrap_or_default()
+            })?;
+        }
         self.numbers(to, "strain_energy", Quantity::Stress, |a| solid.strain_energy(a))?;
         if !self.shown.stresses {
             return Ok(());

@@ -1,24 +1,31 @@
 //! Material, formulation, fracture and contact of a solid, from the scene's words to those of `peridynamics`.
 
 use peridynamics::{
-    Contact, Crack, Criterion, Elastic, Formulation, Fracture, Idealisation, Law, Sheets, Volumes,
+    Contact, Crack, Criterion, Elastic, Formulation, Fracture, Idealisation, Law, Plastic, Sheets, Volumes,
 };
 use sph_core::{BlockLattice, CutOut, Vec3};
 
 use super::sets::NodeSets;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{self, BondMeasure, SolidFormulation, SolidScene};
+use crate::scene::{self, BondMeasure, Hardening, SolidFormulation, SolidMaterial, SolidScene};
 
 /// The constants; Poisson's ratio of bonds that feel their own extension alone is that of pairwise forces, which scenes round.
 pub(super) fn material(solid: &SolidScene) -> Elastic {
-    let (young, poisson) = solid
-        .material
-        .elastic()
-        .map_or_else(Default::default, |elastic| (elastic.young.get(), elastic.poisson));
+    let (young, poisson) = solid.material.isotropic().unwrap_or_default();
     let density = solid.material.density();
     let poisson = law(&solid.formulation).poisson(solid.space(), poisson);
     Elastic { young, poisson, density }
+}
+
+/// How bonds yield; the checks leave them linear hardening alone.
+pub(super) fn plastic(solid: &SolidScene) -> Option<Plastic> {
+    match &solid.material {
+        SolidMaterial::Plastic(scene::Plastic { hardening: Hardening::Linear(linear), .. }) => {
+            Some(Plastic { yield_stress: linear.yield_stress.get(), hardening: linear.slope.get() })
+        }
+        _ => None,
+    }
 }
 
 /// What a bond feels; a body without bonds is carried by none of them.

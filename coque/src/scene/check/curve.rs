@@ -223,6 +223,9 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     if scene.loads.iter().any(|load| load.encloses()) {
         known.extend([EnclosedPressure, EnclosedVolume]);
     }
+    if solid.is_some_and(|own| own.material.yields()) {
+        known.extend([PlasticStrain, PlasticWork]);
+    }
     if solid.is_some() {
         known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);
     } else if !scene.in_fluid {

@@ -16,7 +16,7 @@ pub enum SolidMaterial {
     Elastic(Elastic),
     /// Linear elasticity with three planes of symmetry, of a Galerkin solid.
     Orthotropic(OrthotropicSolid),
-    /// Isotropic elasticity that yields by von Mises' criterion, of a Galerkin solid.
+    /// Isotropic elasticity that yields by von Mises' criterion, of a Galerkin solid, or of state-based bonds in space with linear hardening in marches.
     Plastic(Plastic),
 }
 
@@ -45,7 +45,16 @@ impl OrthotropicSolid {
 }
 
 impl SolidMaterial {
-    /// Its constants, if it has no preferred direction.
+    /// Young's modulus \[F/L²\] and Poisson's ratio \[–\], if it has no preferred direction.
+    pub(crate) fn isotropic(&self) -> Option<(f64, f64)> {
+        match self {
+            Self::Elastic(elastic) => Some((elastic.young.get(), elastic.poisson)),
+            Self::Plastic(plastic) => Some((plastic.young.get(), plastic.poisson)),
+            Self::Orthotropic(_) => None,
+        }
+    }
+
+    /// Its constants, if it is elastic and has no preferred direction.
     pub fn elastic(&self) -> Option<&Elastic> {
         match self {
             Self::Elastic(elastic) => Some(elastic),

@@ -2,6 +2,7 @@
 
 mod balloon_inflating;
 mod balloon_pumped;
+mod bar_bonds_yielding;
 mod bricks;
 mod column_yielding;
 mod cook_yielding;
@@ -21,7 +22,7 @@ mod tube_crushed;
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 16] {
+pub fn all() -> [Case; 17] {
     [
         strip_necking::case(),
         strip_fibre_metal::case(),
@@ -39,5 +40,6 @@ pub fn all() -> [Case; 16] {
         balloon_inflating::case(),
         balloon_pumped::case(),
         cylinder_bursting::case(),
+        bar_bonds_yielding::case(),
     ]
 }

@@ -50,19 +50,14 @@ impl SolidScene {
     }
 
     pub(super) fn check_material(&self, s: &Scope<'_>) -> Verdict {
-        let Some(elastic) = self.material.elastic() else {
+        let word = self.material.word();
+        let Some((_, nu)) = self.material.isotropic() else {
             let repair = "use [material.elastic], or [bodies.NAME.solid.formulation.galerkin]";
-            let (value, bound) = match self.material.yields() {
-                true => {
-                    ("a material that yields", "`elastic` where bonds carry the solid: they do not yield")
-                }
-                false => ("an orthotropic material", "`elastic` where bonds carry the solid"),
-            };
-            let path = format!("material.{}", self.material.word());
-            return Err(SceneError::Choice(s.fault(&path, value, bound, repair)));
+            let (value, bound) = ("an orthotropic material", "an isotropic one where bonds carry the solid");
+            return Err(SceneError::Choice(s.fault(&format!("material.{word}"), value, bound, repair)));
         };
-        let at = |key: &str| format!("material.elastic.{key}");
-        let (nu, space) = (elastic.poisson, self.space());
+        let at = |key: &str| format!("material.{word}.{key}");
+        let space = self.space();
         let top = if space == Space::PlaneStress { 1.0 } else { 0.5 };
         let repair = "ν = 0.5 is incompressible; most solids have 0.2 to 0.4";
         s.between(&at("poisson"), nu, [-1.0, top], repair)?;

@@ -4,6 +4,7 @@ mod conditions;
 mod galerkin;
 mod geometry;
 mod material;
+mod yielding;
 
 pub(super) use self::conditions::{check_face, check_solid_load, check_solid_support, check_traction};
 use crate::scene::analysis::Analysis;
@@ -12,6 +13,8 @@ use crate::scene::check::sets::check_set_name;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
+use crate::scene::solid::material::SolidMaterial;
+use yielding::check_yielding_bonds;
 
 impl SolidScene {
     /// Refuses the first of its own keys that is out of bounds.
@@ -39,6 +42,11 @@ pub(super) fn check_solid(scene: &BodyInScene<'_>, solid: &SolidScene) -> Verdic
         let repair = "use [analysis.static], linear, arc-length, relaxation, modal or buckling, or bonds";
         let fault = s.fault("formulation.galerkin", "a Galerkin solid", &bound, repair);
         return Err(SceneError::Choice(fault));
+    }
+    if let SolidMaterial::Plastic(plastic) = &solid.material
+        && solid.galerkin().is_none()
+    {
+        check_yielding_bonds(scene, solid, plastic)?;
     }
     if solid.material.yields() && matches!(scene.analysis, Analysis::Linear(_) | Analysis::Buckling(_)) {
         let bound =
