@@ -15,7 +15,8 @@ const SHORT: (&str, &str) = ("analysis.explicit.transient.duration", "2.5e-4");
 fn bonds_that_cannot_yield() {
     let of = |key: &str| format!("{MATERIAL}.{key}");
     let (hardening, rate, kinematic) = (of("hardening"), of("rate"), of("kinematic"));
-    let cases: [(&str, &str, Replaced); 8] = [
+    let moved = "[{ on = \"x0\", held = { displacement = [[1.0, 0.0, 0.0]] } }, { on = \"x1\", moved = { direction = [1.0, 0.0, 0.0], by = 0.08 } }]";
+    let cases: [(&str, &str, Replaced); 10] = [
         (
             "another hardening",
             BAR,
@@ -49,6 +50,22 @@ fn bonds_that_cannot_yield() {
             &[
                 ("analysis", "{ static = { levels = 2 } }"),
                 ("supports[1]", "{ on = \"x1\", moved = { direction = [1.0, 0.0, 0.0], by = 0.08 } }"),
+            ],
+        ),
+        (
+            "by a fast ramp",
+            BAR,
+            &[("analysis", "{ explicit.quasi-static = { levels = 2 } }"), ("supports", moved)],
+        ),
+        (
+            "by kinetic damping",
+            BAR,
+            &[
+                (
+                    "analysis",
+                    "{ explicit.quasi-static = { levels = 2, ramp = 30.0, damping = \"kinetic\" } }",
+                ),
+                ("supports", moved),
             ],
         ),
         (

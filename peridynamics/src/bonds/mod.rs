@@ -7,6 +7,7 @@ pub(crate) mod correction;
 pub(crate) mod couplings;
 pub(crate) mod faces;
 pub(crate) mod families;
+mod fitted;
 pub(crate) mod flatness;
 pub(crate) mod flow;
 pub(crate) mod forces;

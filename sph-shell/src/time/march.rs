@@ -368,11 +368,10 @@ mod tests {
             let thrown = dice.clone();
             let loaded = number % 3 != 0;
             let march = |share: Option<Box<dyn peers::Peers>>| {
-                let shell = body(cloud.clone(), loaded, &mut thrown.clone());
-                let mut shell = match share {
-                    None => shell,
-                    Some(peers) => shell.share(peers).unwrap(),
-                };
+                let mut shell = body(cloud.clone(), loaded, &mut thrown.clone());
+                if let Some(peers) = share {
+                    shell = shell.share(peers).unwrap();
+                }
                 let from = shell.motion().map(<[Row]>::to_vec);
                 let mut bits = marched(&mut shell, &from, Shell::advance);
                 bits.push(shell.evaluate(Instant { time: 1.0, level: 1.0 }).to_bits());
@@ -390,13 +389,11 @@ mod tests {
                 bits
             };
             let alone = march(None);
+            body(cloud.clone(), loaded, &mut dice);
             for count in [1, 2, 3, 4, 7] {
                 let all = peers::together(count, |peers| march(Some(peers))).unwrap();
-                for (rank, found) in all.into_iter().enumerate() {
-                    assert!(found == alone, "layout {number}, {count} peers, rank {rank}");
-                }
+                assert!(all.iter().all(|found| *found == alone), "layout {number}, {count} peers");
             }
-            body(cloud.clone(), loaded, &mut dice);
         }
     }
 }

@@ -27,7 +27,7 @@ fn strip() -> Shell {
 }
 
 /// Everything that a march tells, as words; and what is read of the shell at its end.
-fn told(plan: &Plan, mut shell: Shell) -> (Vec<String>, Vec<u64>) {
+fn reported(plan: &Plan, mut shell: Shell) -> (Vec<String>, Vec<u64>) {
     let records = records(plan.clone(), &mut shell).unwrap();
     shell.bring();
     let motion = shell.motion().into_iter().flatten().flatten().map(|x| x.to_bits());
@@ -52,10 +52,10 @@ fn marches_tell_the_same_whoever_makes_them() {
         safety: 0.8,
     };
     for plan in [Plan::from(transient), Plan::from(quasi_static)] {
-        let alone = told(&plan, strip());
+        let alone = reported(&plan, strip());
         assert!(alone.0.len() > 2, "{:?}", alone.0);
         for count in [1, 2, 3, 4, 7] {
-            let all = together(count, |peers| told(&plan, strip().share(peers).unwrap())).unwrap();
+            let all = together(count, |peers| reported(&plan, strip().share(peers).unwrap())).unwrap();
             for (rank, found) in all.into_iter().enumerate() {
                 assert!(found == alone, "{count} peers, rank {rank}");
             }

@@ -1,6 +1,6 @@
 //! Checks of solids of bonds that yield.
 
-use crate::scene::analysis::Analysis;
+use crate::scene::analysis::{Analysis, Damping, Explicit};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::shell::check_plastic;
 use crate::scene::error::{SceneError, Verdict};
@@ -57,6 +57,40 @@ pub(super) fn check_yielding_bonds(
         );
         let repair = "use [analysis.explicit.quasi-static] or [analysis.explicit.transient], or [formulation.galerkin]";
         return refuse(material, "a material that yields", &bound, repair);
+    }
+    check_levels(scene)
+}
+
+/// A motion that overshoots flows further and stays there: a bar drawn at once, in one period, by a fifth.
+fn check_levels(scene: &BodyInScene<'_>) -> Verdict {
+    /// Periods of a ramp, of a bar's whose force comes within 1.5 % of a slow one; 5 leave 2.5 % of it, and 1 leaves 7.
+    const SLOW: f64 = 20.0;
+    let Analysis::Explicit(Explicit { quasi_static: Some(path), .. }) = &scene.analysis else {
+        return Ok(());
+    };
+    let s = &scene.scope();
+    if path.damping == Damping::Kinetic {
+        let bound =
+            "a `ratio` where bonds yield: between its peaks a motion goes too far, and flow does not go back";
+        let fault = s.fault(
+            "analysis.explicit.quasi-static.damping",
+            "\"kinetic\"",
+            bound,
+            "damping = { ratio = 1.0 }",
+        );
+        return Err(SceneError::Choice(fault));
+    }
+    if path.ramp.get() < SLOW {
+        let bound = format!(
+            "at least {SLOW} where bonds yield: a motion that overshoots flows further, and stays there"
+        );
+        let path_of = "analysis.explicit.quasi-static.ramp";
+        return Err(s.value(
+            path_of,
+            path.ramp.get(),
+            &bound,
+            "ramp = 20.0, or [analysis.explicit.transient] with `damping`",
+        ));
     }
     Ok(())
 }
