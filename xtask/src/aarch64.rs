@@ -15,8 +15,8 @@ const LIBRARIES: &str = "/usr/aarch64-linux-gnu";
 /// Names under which the emulator is installed.
 const EMULATORS: [&str; 2] = ["qemu-aarch64", "qemu-aarch64-static"];
 /// Crates whose tests run there: those that all others stand on, and that do not take hours under an emulator.
-const TESTED: [&str; 6] =
-    ["lanes", "parallel", "sph-core", "shell-kinematics", "solid-kinematics", "explicit-dynamics"];
+const TESTED: [&str; 7] =
+    ["lanes", "parallel", "peers", "sph-core", "shell-kinematics", "solid-kinematics", "explicit-dynamics"];
 
 /// What solved numbers may differ by, over the largest of their column: a level ends where its residual is a millionth.
 const SOLVED: f64 = 1e-6;

@@ -62,7 +62,11 @@ impl SolidScene {
         let repair = "ν = 0.5 is incompressible; most solids have 0.2 to 0.4";
         s.between(&at("poisson"), nu, [-1.0, top], repair)?;
         let only = space.pairwise_poisson();
-        if !matches!(self.formulation, SolidFormulation::BondBased(_)) || (nu - only).abs() <= ROUNDING {
+        // Pairwise bonds that yield are refused as such.
+        if !matches!(self.formulation, SolidFormulation::BondBased(_))
+            || self.material.yields()
+            || (nu - only).abs() <= ROUNDING
+        {
             return Ok(());
         }
         let bound = format!("{only:.4}, that of pairwise forces in this space");
