@@ -5,7 +5,7 @@
 mod common;
 
 use common::sittings::stopped_again_and_again;
-use common::{Replaced, column, done, last, refusal, text};
+use common::{Replaced, column, done, last, overridden, refusal, text};
 
 const PLATE: &str = "plate-on-gas.toml";
 const TUBE: &str = "tube-inflating.toml";
@@ -68,6 +68,49 @@ fn half_a_chamber_is_half_of_the_whole() {
     // The masses of modes differ by 1e-5 at a plane of symmetry, with and without the gas.
     let bounds = [1e-9, 1e-9, 4e-5];
     assert!(misses.iter().zip(bounds).all(|(miss, bound)| miss.abs() < bound), "{misses:?}");
+}
+
+/// A plate on gas beside another body with which it may touch, and does not: alone or first or last, the gas bears the same.
+#[test]
+fn a_gas_among_several_bodies_is_that_of_one() {
+    let alone = done(PLATE, &[]);
+    let plate = |name: &str, shift: f64| {
+        let held = |edge: &str, axis: &str| {
+            format!(
+                "{{ on = '{name}.{edge}', held = {{ displacement = [[0, 0, 1]], director = [{axis}] }} }}"
+            )
+        };
+        let supports = [
+            format!("{{ on = '{name}.all', held = {{ displacement = [[1, 0, 0], [0, 1, 0]] }} }}"),
+            held("u0", "[0, 1, 0]"),
+            held("u1", "[0, 1, 0]"),
+            held("v0", "[1, 0, 0]"),
+            held("v1", "[1, 0, 0]"),
+        ];
+        let body = format!(
+            "[bodies.{name}.shell]\ngeometry.plate = {{ lengths = [1.0, 1.0], particles = [21, 21] }}\nplaced = {{ origin = [0.0, 0.0, {shift:?}], u = [1.0, 0.0, 0.0], v = [0.0, 1.0, 0.0] }}\n\
+             material.elastic = {{ young = 1.092e7, poisson = 0.3, density = 100.0 }}\nsection.homogeneous = {{ thickness = 0.01 }}\n"
+        );
+        (body, supports.join(", "))
+    };
+    let scene = |order: [&str; 2]| {
+        let of = |name: &str| plate(name, if name == "gauge" { 0.0 } else { 0.5 });
+        let [(one, held), (two, also)] = order.map(of);
+        format!(
+            "title = 'Two plates'\nunits = {{ length = '-', force = '-', time = '-' }}\nanalysis.static.levels = 1\nsupports = [{held}, {also}]\n\
+             loads = [{{ on = 'gauge.all', pressure = {{ value = -0.01 }} }}, {{ on = 'other.all', pressure = {{ value = -0.02 }} }},\n\
+             {{ on = 'gauge.all', gas = {{ pressure = 0.0, ambient = 21.0, exponent = 1.4, beside = 0.05 }} }}]\n\
+             contact = [{{ between = ['gauge', 'other'] }}]\n\
+             curve = [{{ name = 'p_gas', of = 'enclosed-pressure', on = 'gauge.all' }}]\n{one}{two}"
+        )
+    };
+    for order in [["gauge", "other"], ["other", "gauge"]] {
+        let outcome =
+            overridden(&scene(order), "two.toml", &[]).unwrap().build(1).unwrap().run(&mut coque::Silent);
+        let miss = (last(&outcome, "p_gas") / last(&alone, "p_gas") - 1.0).abs();
+        println!("{order:?}: {miss:.1e}");
+        assert!(miss < 1e-8, "{order:?}: {miss:e}");
+    }
 }
 
 /// The levels by which a gas is pumped in leave no trace; a gas that is pumped in before and held is that of all its course; a tank beside takes

@@ -101,7 +101,8 @@ pub fn linear_buckling<'a, E: Equilibrium + ?Sized>(
     let mut base = vec![0.0; pattern.len()];
     system.tangent(level, &mut base);
     if !system.beside_pattern(level).is_empty() {
-        return Err(EquilibriumError::BesidePattern { what: "linear buckling" });
+        let (what, instead) = ("linear buckling", "follow the path to its critical points");
+        return Err(EquilibriumError::BesidePattern { what, instead });
     }
     let inertia = solver.factor(&base, &[])?;
     if inertia.negative > 0 {

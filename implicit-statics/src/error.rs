@@ -259,11 +259,13 @@ pub enum EquilibriumError {
     NoRigidMotions,
     /// A tangent with terms beside its pattern, in a solution that has no place for them.
     #[error(
-        "{what} takes tangents of a sparse pattern alone, and what this system encloses couples all that encloses it; follow the path to its critical points, or take a pressure in place of what is enclosed"
+        "{what} takes tangents of a sparse pattern alone, and what this system encloses couples all that encloses it; {instead}, or take a pressure in place of what is enclosed"
     )]
     BesidePattern {
         /// The solution.
         what: &'static str,
+        /// What to do instead.
+        instead: &'static str,
     },
     /// Eigenpairs did not converge.
     #[error(

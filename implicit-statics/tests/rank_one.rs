@@ -153,7 +153,8 @@ fn terms_beside_the_pattern_are_those_of_the_dense_matrix() {
     }
     println!("residual, product, work: {worst:?}; terms that make stable: {fewer} of 300");
     assert!(fewer > 20);
-    assert!(worst.iter().all(|&miss| miss < 1e-11), "{worst:?}");
+    // Rounding of matrices of up to 24 rows, the worst-conditioned of 300.
+    assert!(worst.iter().all(|&miss| miss < 1e-13), "{worst:?}");
 }
 
 /// A term that takes the last stiffness away: one eigenvalue vanishes, and nothing is solved.
@@ -182,7 +183,7 @@ fn modes_are_those_of_the_whole() {
     let miss = |(mode, exact): (&implicit_statics::Mode, &f64)| (mode.eigenvalue / exact - 1.0).abs();
     let worst = modes.iter().zip(&all).map(miss).fold(0.0, f64::max);
     println!("six frequencies squared: {worst:e}");
-    assert!(worst < 1e-10);
+    assert!(worst < 1e-12, "rounding of forty springs: {worst:e}");
 }
 
 /// The whole tangent is the derivative of the forces; what has no place for terms says so.
@@ -192,7 +193,7 @@ fn derivatives_know_the_terms_and_buckling_refuses_them() {
     let direction: Vec<f64> = (0..9).map(|i| 1.0 - 0.2 * f64::from(i)).collect();
     assert!(tangent_error(&mut chain, 0.3, &direction, 1e-3) < 1e-10);
     let refused = linear_buckling(&mut chain, 0.0, &BucklingOptions::new(1), &mut unwatched).unwrap_err();
-    assert!(matches!(refused, EquilibriumError::BesidePattern { what: "linear buckling" }), "{refused}");
+    assert!(matches!(refused, EquilibriumError::BesidePattern { what: "linear buckling", .. }), "{refused}");
     // A system that tells no rigid motions is refused before; one without terms is not refused at all.
     assert!(conjugate_response(&mut chain, 0.0, &ConjugateOptions::default()).is_err());
     let mut plain = Flat::new(Softening);

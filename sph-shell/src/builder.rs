@@ -162,7 +162,7 @@ impl ShellBuilder {
     /// that the host does not have, ties in a circle; masses that are not positive and finite; rigid sets that meet each other, stand on one
     /// line along a normal, hold a particle that is supported, tied to a cell, or of a junction only in part; springs without a stiffness, along a
     /// director, or of one particle; tools without sense, on shells without cells or with sections over or below their particles; contact of a shell with itself where its
-    /// thickness is not one, edges are tied or it has no stiffness; what is enclosed with rims that are free to change its volume, or without any; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
+    /// thickness is not one, edges are tied or it has no stiffness; what is enclosed by cells that are no surface, with rims that are free to change its volume, or without any; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
     /// plane problem of a shell that is no strip across the plane; and regions, ties, rigid sets, stresses and sections with memory where
     /// strains are not sampled in cells, the last together with stresses too.
     pub fn build(self) -> Result<Shell, ShellError> {

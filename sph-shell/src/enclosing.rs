@@ -12,7 +12,7 @@ impl Shell {
     /// Pressure \[F/L²\] and volume \[L³\] last evaluated of what is enclosed by cells of a particle, pressures summed; zero where nothing is.
     pub fn enclosed_at(&self, particle: usize) -> [f64; 2] {
         let enclosed = self.loading.enclosed(1.0).map(|(enclosed, _)| enclosed);
-        let own = enclosed.filter(|enclosed| enclosed.touches(&self.reference, particle as u32));
+        let own = enclosed.filter(|enclosed| enclosed.touches(particle as u32));
         own.fold([0.0; 2], |[pressure, volume], enclosed| {
             let [more, own] = enclosed.last();
             [pressure + more, volume + own]

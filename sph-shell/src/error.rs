@@ -2,6 +2,8 @@
 
 use sph_core::SpaceError;
 
+use crate::conditions::cavity::EnclosedError;
+
 /// A shell that was refused before anything ran.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum ShellError {
@@ -150,31 +152,12 @@ pub enum ShellError {
         /// Cells in the cloud.
         count: usize,
     },
-    /// A rim of what encloses something that is not closed by anything.
-    #[error(
-        "the rim at particle {particle} is open: where it may move nothing closes what is enclosed; hold the rim, let it slide in a plane of symmetry, or close it by cells"
-    )]
-    OpenRim {
-        /// Number of the load.
-        load: usize,
-        /// A particle of the rim.
-        particle: u32,
-    },
+    /// What cells cannot enclose.
+    #[error(transparent)]
+    Enclosed(#[from] EnclosedError),
     /// What one process marches alone.
     #[error("{0} is marched by one process alone; start one, with as many threads as there are cores")]
     NotShared(&'static str),
-    /// Nothing is enclosed.
-    #[error(
-        "the surface encloses {volume:.4e} at rest, {beside:.4e} with what stands beside; it must be more than nothing: give a surface that bounds a volume, or a volume beside it"
-    )]
-    NoVolume {
-        /// Number of the load.
-        load: usize,
-        /// Volume that the surface encloses \[L³\].
-        volume: f64,
-        /// Volume beside it \[L³\].
-        beside: f64,
-    },
     /// A mass that is none.
     #[error("the mass at particle {particle} is {mass}; it must be positive and finite")]
     Mass {

@@ -333,7 +333,7 @@ use time::share::Share;
 pub use builder::{Parts, ShellBuilder};
 pub use conditions::body::{Block, Body, place_block};
 pub use conditions::case::LoadCase;
-pub use conditions::cavity::{Content, Enclosed, Volumes};
+pub use conditions::cavity::{Content, Enclosed, EnclosedError, Volumes};
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
 pub use conditions::loads::{AppliedLoad, Force, Gravity, Load};
 pub use conditions::own_contact::OwnContact;

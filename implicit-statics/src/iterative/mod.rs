@@ -59,7 +59,8 @@ pub fn conjugate_response<E: Equilibrium + ?Sized>(
         let mut values = vec![0.0; pattern.len()];
         system.tangent(level, &mut values);
         if !system.beside_pattern(level).is_empty() {
-            return Err(EquilibriumError::BesidePattern { what: "conjugate gradients" });
+            let (what, instead) = ("conjugate gradients", "use the direct solver");
+            return Err(EquilibriumError::BesidePattern { what, instead });
         }
         Rows::symmetric(n, &pattern, &values)
     };

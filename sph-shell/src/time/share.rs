@@ -40,19 +40,16 @@ impl Share {
     }
 
     /// Of one of several, from the particles of each pack.
-    pub fn new<'a, I>(mut peers: Box<dyn Peers>, particles: usize, packs: &[I]) -> Self
-    where
-        I: AsRef<[u32]> + 'a,
-    {
+    pub fn new(mut peers: Box<dyn Peers>, particles: usize, packs: &[Vec<u32>]) -> Self {
         let cut = Cut::even(particles, peers.count());
         let own = cut.own(peers.rank());
         let is_own = |a: &u32| own.contains(&(*a as usize));
-        let touched = packs.iter().filter(|pack| pack.as_ref().iter().any(is_own));
-        let needs: Vec<u32> = touched.flat_map(|pack| pack.as_ref()).copied().collect();
+        let touched = packs.iter().filter(|pack| pack.iter().any(is_own));
+        let needs: Vec<u32> = touched.flatten().copied().collect();
         let lists = agree(&mut *peers, &cut, &needs);
         let lane = (peers.count() > 1).then(|| peers.open(&lists, WIDTH));
         // The owner of its least particle adds the energy of a pack.
-        let first = |pack: &I| pack.as_ref().iter().min().is_some_and(is_own);
+        let first = |pack: &Vec<u32>| pack.iter().min().is_some_and(is_own);
         let packs = packs.iter().map(first).collect();
         Self { peers: Mutex::new(peers), cut, own, lane, packs }
     }

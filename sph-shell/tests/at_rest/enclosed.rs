@@ -14,8 +14,8 @@ use implicit_statics::{
 };
 use sph_core::{Cloud, Cylinder, EndWeights, Side, Vec3, lattice};
 use sph_shell::{
-    AppliedLoad, Clamped, Content, Enclosed, Formulation, Moved, Preloaded, Pressure, Reach, Shell,
-    ShellError, StaticShell, Supported, SymmetryPlane, Volumes,
+    AppliedLoad, Clamped, Content, Enclosed, EnclosedError, Formulation, Moved, Preloaded, Pressure, Reach,
+    Shell, ShellError, StaticShell, Supported, SymmetryPlane, Volumes,
 };
 
 const GAS: Content = Content::Gas { pressure: 3.0, ambient: 1.0, exponent: 1.4 };
@@ -85,9 +85,27 @@ fn volumes_are_those_of_boxes_and_tubes() {
     assert!(worst < 1e-9);
     // Nothing enclosed, and a rim that is free.
     let refused = enclosing(sheet.clone(), 0.1, held(), GAS, 0.0).err().unwrap();
-    assert!(matches!(refused, ShellError::NoVolume { beside: 0.0, .. }), "{refused}");
+    assert!(
+        matches!(refused, ShellError::Enclosed(EnclosedError::NoVolume { load: 0, beside: 0.0, .. })),
+        "{refused}"
+    );
     let refused = enclosing(sheet, 0.1, vec![], GAS, 0.7).err().unwrap();
-    assert!(matches!(refused, ShellError::OpenRim { load: 0, .. }), "{refused}");
+    assert!(matches!(refused, ShellError::Enclosed(EnclosedError::OpenRim { load: 0, .. })), "{refused}");
+}
+
+/// A box with a fin inside, or with a wall across, has no inside by all of its cells; without them it has.
+#[test]
+fn fins_and_walls_across_enclose_nothing() {
+    let size = Vec3::new(2.0, 3.0, 1.5);
+    let across = |part: f64| Sheets::boxed(size, [2, 2, 2]).add(X, [Y * 3.0 * part, Z * 1.5], [2, 2]).cloud();
+    for cloud in [across(1.0), across(0.5)] {
+        let refused = enclosing(cloud, 0.1, vec![], GAS, 0.0).err().unwrap();
+        assert!(
+            matches!(refused, ShellError::Enclosed(EnclosedError::NoSurface { load: 0, .. })),
+            "{refused}"
+        );
+    }
+    assert!(enclosing(Sheets::boxed(size, [2, 2, 2]).cloud(), 0.1, vec![], GAS, 0.0).is_ok());
 }
 
 /// Forces are the slope of the content's energy, in any state; on a closed surface they have neither resultant nor moment.
@@ -221,6 +239,7 @@ fn a_liquid_and_a_tube_share_what_is_pumped_in() {
             "liquid {stiffer} times as stiff: pressure {pressure:.6e}, {miss:.1e}, {} iterations",
             converged.iterations
         );
+        // A polygon of 12 cells a quarter is .2 % too stiff.
         assert!(miss.abs() < 6e-3, "{stiffer}: {miss:e}");
         assert!(converged.iterations <= 6, "{stiffer}: {:?}", converged.residuals);
         assert_eq!(converged.inertia.negative, 0);
@@ -256,7 +275,8 @@ fn a_tube_breathes_faster_on_gas() {
         (breathing.eigenvalue, breathing.eigenvalue / exact - 1.0)
     });
     println!("with gas and without: {found:?}");
-    assert!(found.iter().all(|(_, miss)| miss.abs() < 0.02), "{found:?}");
+    // The same polygon, and masses at its corners: .5 and .2 %.
+    assert!(found.iter().all(|(_, miss)| miss.abs() < 0.016), "{found:?}");
     assert!(found[0].0 > 2.0 * found[1].0);
 }
 

@@ -36,8 +36,9 @@ fn a_box_blown_up_keeps_energy_and_momentum() {
             momentum.norm() / sizes[0],
             spin.norm() / sizes[1]
         );
-        assert!(worst < 5e-3, "{name}: {worst:e}");
-        assert!(momentum.norm() < 1e-11 * sizes[0] && spin.norm() < 1e-11 * sizes[1]);
+        // Of the second order in the step: 1.4e-3 and 4e-7; momenta to rounding of six hundred steps.
+        assert!(worst < if name == "gas" { 5e-3 } else { 2e-6 }, "{name}: {worst:e}");
+        assert!(momentum.norm() < 1e-13 * sizes[0] && spin.norm() < 1e-13 * sizes[1]);
         // A liquid shut in swings about its pressure, and pulls in between.
         assert!(v > 9.04 && (p > 0.0 || name == "liquid"));
         assert!(if name == "liquid" { step < 0.2 * plain } else { step > 0.9 * plain });

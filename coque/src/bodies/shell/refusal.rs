@@ -74,8 +74,8 @@ impl Builder<'_> {
             ShellError::StressAxis { number, .. } => of_body(&format!("initial_stress[{number}].axis")),
             ShellError::StressOfWideStencils => of_body("initial_stress"),
             ShellError::OwnLaw(_) => of_body("section"),
-            &(ShellError::OpenRim { load, .. } | ShellError::NoVolume { load, .. }) => {
-                self.scene.loads.get(load).map_or("loads".into(), |load| load.at("on"))
+            ShellError::Enclosed(cause) => {
+                self.scene.loads.get(cause.load()).map_or("loads".into(), |load| load.at("on"))
             }
             ShellError::Mass { .. } => of_body("masses"),
             ShellError::Spring { .. }

@@ -8,6 +8,7 @@
 //! ([`implicit_statics::RankOne`]). Forces are the gradient of a potential, so that the tangent is symmetric \[schweizerhof1984\].
 
 mod content;
+mod refused;
 mod rim;
 mod volume;
 
@@ -16,10 +17,10 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use sph_core::{Cell, Vec3};
 
 pub use content::{Content, Volumes};
+pub use refused::EnclosedError;
 
 use crate::conditions::body::{Block, Body, place_block};
 use crate::conditions::constraints::Constraints;
-use crate::error::ShellError;
 use crate::packs::Row;
 use crate::reference::Reference;
 use rim::{RimEnd, closing, rims};
@@ -49,6 +50,8 @@ struct Closed {
     sign: f64,
     /// Volume at rest, with what stands beside \[L³\].
     rest: f64,
+    /// The particles of the cells, ascending.
+    particles: Vec<u32>,
 }
 
 /// What was last evaluated.
@@ -73,13 +76,13 @@ impl Enclosed {
     /// Finds how its rims are closed and the volume at rest; of the load of a number, for messages.
     ///
     /// # Errors
-    /// [`ShellError`]: a rim that is free to move, no volume.
+    /// [`EnclosedError`]: cells that are no surface, a rim that is free to move, no volume.
     pub(crate) fn close(
         &self,
         load: usize,
         reference: &Reference,
         constraints: &Constraints,
-    ) -> Result<(), ShellError> {
+    ) -> Result<(), EnclosedError> {
         let cloud = &reference.cloud;
         let mut stands_for: Vec<u32> = (0..cloud.len() as u32).collect();
         for group in &cloud.joined {
@@ -93,7 +96,8 @@ impl Enclosed {
             let held = held.map_or(Vec::new(), |held| held.held.basis().to_vec());
             RimEnd { particle: a, place: place(a), edge, free, held }
         };
-        let edges = rims(self.own(reference), |a| stands_for[a as usize]);
+        let edges = rims(self.own(reference), |a| stands_for[a as usize])
+            .map_err(|particle| EnclosedError::NoSurface { load, particle })?;
         let ends: Vec<RimEnd> = edges
             .iter()
             .flat_map(|&[a, b]| [end(a, place(b) - place(a)), end(b, place(a) - place(b))])
@@ -101,17 +105,20 @@ impl Enclosed {
         let corners = || self.own(reference).flat_map(|cell| cell.particles()).copied();
         let of: Vec<u32> = if ends.is_empty() { corners().collect() } else { edges.concat() };
         let middle = of.iter().map(|&a| place(a)).sum::<Vec3>() / of.len() as f64;
-        let field = closing(middle, &ends).map_err(|particle| ShellError::OpenRim { load, particle })?;
+        let field = closing(middle, &ends).map_err(|particle| EnclosedError::OpenRim { load, particle })?;
         let volume: f64 = self.own(reference).map(|cell| field.volume(cell, place)).sum();
         let area: f64 = self.own(reference).map(|cell| cell.geometry(&cloud.positions).area).sum();
         let rounding = FLAT * area * area.sqrt();
         let sign = if volume < -rounding { -1.0 } else { 1.0 };
         let rest = sign * volume + self.beside;
         if rest.is_nan() || rest <= rounding {
-            return Err(ShellError::NoVolume { load, volume: sign * volume, beside: self.beside });
+            return Err(EnclosedError::NoVolume { load, volume: sign * volume, beside: self.beside });
         }
-        *self.kept.lock().unwrap_or_else(PoisonError::into_inner) = Kept { volume: rest, ..Kept::default() };
-        self.closed.get_or_init(|| Closed { field, sign, rest });
+        *self.kept() = Kept { volume: rest, ..Kept::default() };
+        let mut particles: Vec<u32> = corners().collect();
+        particles.sort_unstable();
+        particles.dedup();
+        self.closed.get_or_init(|| Closed { field, sign, rest, particles });
         Ok(())
     }
 
@@ -129,7 +136,7 @@ impl Enclosed {
 
     /// Its volumes in a state.
     pub(crate) fn volumes(&self, body: &Body<'_>) -> Volumes {
-        let Closed { field, sign, rest } = self.closed();
+        let Closed { field, sign, rest, .. } = self.closed();
         let place = |a: u32| position(&body.state[a as usize]);
         let flux: f64 = self.own(body.reference).map(|cell| field.volume(cell, place)).sum();
         Volumes { now: sign * flux + self.beside, rest: *rest }
@@ -249,8 +256,8 @@ impl Enclosed {
     }
 
     /// Whether a particle belongs to its cells.
-    pub(crate) fn touches(&self, reference: &Reference, particle: u32) -> bool {
-        self.own(reference).any(|cell| cell.particles().contains(&particle))
+    pub(crate) fn touches(&self, particle: u32) -> bool {
+        self.closed().particles.binary_search(&particle).is_ok()
     }
 }
 

@@ -34,21 +34,29 @@ pub(super) struct RimEnd {
     pub held: Vec<Vec3>,
 }
 
-/// Edges of some cells that belong to one of them alone, by the numbers that stand for particles at one place.
+/// Edges of some cells that belong to one of them alone, by the numbers that stand for particles at one place; else a particle at which the cells
+/// are no surface with two sides: an edge has three of them, or two that face opposite ways.
 pub(super) fn rims<'a>(
     cells: impl Iterator<Item = &'a Cell>,
     stands_for: impl Fn(u32) -> u32,
-) -> Vec<[u32; 2]> {
-    let mut edges: Vec<([u32; 2], [u32; 2])> = Vec::new();
+) -> Result<Vec<[u32; 2]>, u32> {
+    let mut edges: Vec<([u32; 2], bool, [u32; 2])> = Vec::new();
     for cell in cells {
         for (a, b) in cell.edges() {
             let (one, two) = (stands_for(a), stands_for(b));
-            edges.push(([one.min(two), one.max(two)], [a, b]));
+            edges.push(([one.min(two), one.max(two)], one < two, [a, b]));
         }
     }
     edges.sort_unstable();
-    let alone = edges.chunk_by(|one, other| one.0 == other.0).filter(|alike| alike.len() == 1);
-    alone.map(|alike| alike[0].1).collect()
+    let mut rims = Vec::new();
+    for alike in edges.chunk_by(|one, other| one.0 == other.0) {
+        match alike {
+            [alone] => rims.push(alone.2),
+            [one, two] if one.1 != two.1 => {}
+            _ => return Err(alike[0].2[0]),
+        }
+    }
+    Ok(rims)
 }
 
 /// The field about the middle of a closed surface, or one whose flux through what closes the rims does not change; else a particle of a rim that
@@ -189,17 +197,22 @@ mod tests {
         assert!(closing(Vec3::zeros(), &rim).is_err());
     }
 
-    /// Edges that two cells share are inside, also where two particles stand for one place.
+    /// Edges that two cells share are inside, also where two particles stand for one place; a third cell, or one that faces the other way, makes it
+    /// no surface.
     #[test]
     fn rims_are_edges_of_one_cell() {
         let cells = [Cell { corners: [0, 1, 2, 3], count: 4 }, Cell { corners: [4, 5, 6, 6], count: 3 }];
-        let apart = rims(cells.iter(), |a| a);
+        let apart = rims(cells.iter(), |a| a).unwrap();
         assert_eq!(apart.len(), 7);
-        let joined = rims(cells.iter(), |a| match a {
+        let joined = |a: u32| match a {
             4 => 2,
             5 => 1,
             other => other,
-        });
-        assert_eq!(joined.len(), 5);
+        };
+        assert_eq!(rims(cells.iter(), joined).unwrap().len(), 5);
+        let turned = Cell { corners: [5, 4, 6, 6], count: 3 };
+        assert!(rims([cells[0], turned].iter(), joined).is_err());
+        let fin = Cell { corners: [4, 5, 7, 7], count: 3 };
+        assert!(rims([cells[0], cells[1], fin].iter(), joined).is_err());
     }
 }
