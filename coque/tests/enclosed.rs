@@ -70,6 +70,46 @@ fn half_a_chamber_is_half_of_the_whole() {
     assert!(misses.iter().zip(bounds).all(|(miss, bound)| miss.abs() < bound), "{misses:?}");
 }
 
+/// A force on a plate over gas against the motion that it makes: the force again as reaction, the same pressure. And seen in a mirror, the plate's
+/// normal down and its chamber above: the same pressure, the way reversed.
+#[test]
+fn pushed_moved_and_mirrored_agree() {
+    let force = "[{ on = \"centre\", force = { total = [0.0, 0.0, -0.01] } }, \
+                 { on = \"all\", gas = { pressure = 0.0, ambient = 21.0, exponent = 1.4, beside = 0.05 } }]";
+    let reaction =
+        ("curve[+]", "{ name = \"P\", of = \"reaction\", on = \"centre\", direction = [0.0, 0.0, 1.0] }");
+    let pushed = done(PLATE, &[("loads", force)]);
+    let moved = format!(
+        "{{ on = \"centre\", moved = {{ direction = [0.0, 0.0, 1.0], by = {:e} }} }}",
+        last(&pushed, "w_centre")
+    );
+    // Another load beside it: else the motion is that of the force that drives an analysis alone.
+    let gas = "[{ on = \"all\", gas = { pressure = 0.0, ambient = 21.0, exponent = 1.4, beside = 0.05 } }, \
+               { on = \"u0\", force = { total = [0.0, 0.0, 0.0] } }]";
+    let moved = done(PLATE, &[("loads", gas), ("supports[+]", &moved), reaction]);
+    let misses = [last(&moved, "P") / -0.01 - 1.0, last(&moved, "p_gas") / last(&pushed, "p_gas") - 1.0];
+    println!("pushed and moved {misses:?}");
+    assert!(misses.iter().all(|miss| miss.abs() < 1e-8), "{misses:?}");
+    let here = done(PLATE, &[]);
+    let placed = ("placed", "{ origin = [0.0, 0.0, 0.0], u = [0.0, 1.0, 0.0], v = [1.0, 0.0, 0.0] }");
+    let edge = |edge: &str, axis: &str| {
+        format!("{{ on = \"{edge}\", held = {{ displacement = [[0.0, 0.0, 1.0]], director = [{axis}] }} }}")
+    };
+    let (x, y) = ("[1.0, 0.0, 0.0]", "[0.0, 1.0, 0.0]");
+    let edges = [edge("u0", x), edge("u1", x), edge("v0", y), edge("v1", y)];
+    let turned: Vec<(String, &str)> =
+        edges.iter().enumerate().map(|(i, edge)| (format!("supports[{}]", i + 1), edge.as_str())).collect();
+    let replaced: Vec<(&str, &str)> =
+        turned.iter().map(|(key, edge)| (key.as_str(), *edge)).chain([placed]).collect();
+    let there = done(PLATE, &replaced);
+    let misses = [
+        last(&there, "p_gas") / last(&here, "p_gas") - 1.0,
+        last(&there, "w_centre") / last(&here, "w_centre") + 1.0,
+    ];
+    println!("mirrored {misses:?}");
+    assert!(misses.iter().all(|miss| miss.abs() < 1e-9), "{misses:?}");
+}
+
 /// A plate on gas beside another body with which it may touch, and does not: alone or first or last, the gas bears the same.
 #[test]
 fn a_gas_among_several_bodies_is_that_of_one() {
