@@ -8,7 +8,6 @@
 //! ([`implicit_statics::RankOne`]). Forces are the gradient of a potential, so that the tangent is symmetric \[schweizerhof1984\].
 
 mod content;
-mod refused;
 mod rim;
 mod volume;
 
@@ -17,10 +16,10 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use sph_core::{Cell, Vec3};
 
 pub use content::{Content, Volumes};
-pub use refused::EnclosedError;
 
 use crate::conditions::body::{Block, Body, place_block};
 use crate::conditions::constraints::Constraints;
+use crate::error::EnclosedError;
 use crate::packs::Row;
 use crate::reference::Reference;
 use rim::{RimEnd, closing, rims};

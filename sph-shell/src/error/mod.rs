@@ -2,7 +2,9 @@
 
 use sph_core::SpaceError;
 
-use crate::conditions::cavity::EnclosedError;
+mod enclosed;
+
+pub use enclosed::EnclosedError;
 
 /// A shell that was refused before anything ran.
 #[derive(Clone, Debug, thiserror::Error)]
