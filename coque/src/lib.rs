@@ -159,6 +159,7 @@ mod fields;
 mod kept;
 pub mod mesh;
 mod plain;
+mod ranks;
 mod results;
 mod run;
 pub mod scene;
@@ -169,10 +170,10 @@ pub use analyses::{Estimate, Event, RunOptions, Simulation};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
     Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
-    LoadResultants, Memory, Mismatch, Model, NoPush, Outline, Part, PrescribedPoint, Probe, Ready, Resultant,
-    Shape, Spanned, State, StateArray, StaticBody, TangentCost, Task,
+    LoadResultants, Memory, Mismatch, Model, NoPush, NotShared, OneProcess, Outline, Part, PrescribedPoint,
+    Probe, Ready, Resultant, Shape, Spanned, State, StateArray, StaticBody, TangentCost, Task,
 };
-pub use commands::command_line;
+pub use commands::{Launched, ProcessGroup, command_line, command_line_in, launched};
 pub use explicit_dynamics::Exert;
 pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, SETS, Written};
 pub use kept::Kept;
@@ -181,6 +182,7 @@ pub use mesh_io::{
     read_text, rows, write_whole,
 };
 pub use plain::plain_text;
+pub use ranks::Ranks;
 pub use results::chart::{Costs, costs_svg};
 pub use results::curve::{Column, Curve, NotACurve};
 pub use results::error_bars::{

@@ -18,8 +18,8 @@ impl Shell {
     /// # Errors
     /// [`ShellError::NotShared`]: strains that are not sampled in cells, junctions, rigid sets and ties, springs, tools, contact, fluids, what is
     /// enclosed, sections with memory.
-    pub fn share(mut self, peers: Box<dyn Peers>) -> Result<Self, ShellError> {
-        let Self { reference, points, dependents, loading, evaluation, .. } = &mut self;
+    pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), ShellError> {
+        let Self { reference, points, dependents, loading, evaluation, .. } = self;
         let refusals = [
             (evaluation.plan.is_none(), "a shell whose strains are not sampled in cells"),
             (!dependents.is_empty(), "a shell with junctions, rigid sets or ties"),
@@ -41,7 +41,7 @@ impl Shell {
         let share = Share::new(peers, particles, &packs);
         evaluation.plan = Some(Fused::plan(&points.packs, &places, share.own(), evaluation.threads));
         self.share = share;
-        Ok(self)
+        Ok(())
     }
 
     /// Brings motion and forces of all particles to everyone who marches it. All of them call it.

@@ -7,6 +7,7 @@ mod book;
 mod cargo;
 mod deb;
 mod gallery;
+mod mpi;
 mod new_case;
 mod package;
 mod pages;
@@ -41,8 +42,13 @@ enum Task {
     /// documentation tests.
     /// Each is timed; a failure prints the command that repeats it. A missing rustfmt or clippy is skipped, loudly; so is the environment in
     /// target/python with which the package for Python is tested and fields are read back, where there is no Python 3.10 or no network. The last
-    /// line counts what passed, failed and was skipped; where the environment variable CI is set, a skip fails the run.
-    Test,
+    /// line counts what passed, failed and was skipped; where the environment variable CI is set, a skip fails the run. Runs of several processes are
+    /// tested where there is an MPI library; --mpi tests them alone.
+    Test {
+        /// The tests of several processes alone.
+        #[arg(long)]
+        mpi: bool,
+    },
 
     /// Run the benches, all or those whose name contains FILTER
     ///
@@ -118,7 +124,8 @@ enum Task {
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().task {
         Task::Validate(options) => return validate::run(&options),
-        Task::Test => test_all::run(test_all::Depth::Quick),
+        Task::Test { mpi: true } => test_all::of_processes(),
+        Task::Test { mpi: false } => test_all::run(test_all::Depth::Quick),
         Task::Bench(options) => bench::run(&options),
         Task::Ci => test_all::run(test_all::Depth::Full),
         Task::Tidy => tidy::run(),

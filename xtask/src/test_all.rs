@@ -1,6 +1,6 @@
 //! `cargo xtask test` and `ci`: the steps that stand between a change and the main branch.
 
-use crate::{aarch64, cargo, package, python, tidy, validate};
+use crate::{aarch64, cargo, mpi, package, python, tidy, validate};
 use std::time::{Duration, Instant};
 
 /// How far the validation goes.
@@ -31,6 +31,8 @@ enum Action {
     Aarch64,
     /// The tests of the package; skipped where there is no such environment.
     Package,
+    /// An MPI library, which the tests of several processes take; skipped where there is none.
+    Mpi,
 }
 
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -47,7 +49,15 @@ enum Outcome {
 /// processor may be left out there too, and says so.
 pub fn run(depth: Depth) -> Result<(), String> {
     let strict = std::env::var_os("CI").is_some_and(|value| !value.is_empty());
-    perform(&plan(depth, cargo::has("nextest")), strict)
+    perform(&plan(depth, cargo::has("nextest"), mpi::missing().is_none()), strict)
+}
+
+/// Run the tests of several processes alone.
+pub fn of_processes() -> Result<(), String> {
+    match mpi::missing() {
+        Some(why) => Err(why),
+        None => perform(&[Step { name: "processes", action: Action::Cargo(mpi::tests()) }], true),
+    }
 }
 
 /// Performs some steps; `strict` where each must be.
@@ -108,9 +118,11 @@ impl Tally<'_> {
 }
 
 /// The steps, cheapest first.
-fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
+fn plan(depth: Depth, nextest: bool, mpi: bool) -> Vec<Step> {
     let words = cargo::words;
     let tests = if nextest { &["nextest", "run", "--workspace"][..] } else { &["test", "--workspace"] };
+    let with = if mpi { &mpi::FEATURE[..] } else { &[] };
+    let tests = words(&[tests, with].concat());
     // `cargo test --workspace` already runs the documentation tests
     let documentation = nextest.then(|| words(&["test", "--doc", "--workspace"]));
     let full =
@@ -126,7 +138,8 @@ fn plan(depth: Depth, nextest: bool) -> Vec<Step> {
         Step { name: "lints", action: Action::IfInstalled("clippy", clippy) },
         Step { name: "pages", action: Action::Cargo(pages) },
         Step { name: "python", action: Action::Python },
-        Step { name: "tests", action: Action::Cargo(words(tests)) },
+        Step { name: "MPI library", action: Action::Mpi },
+        Step { name: "tests", action: Action::Cargo(tests) },
         Step { name: "python package", action: Action::Package },
     ];
     steps.extend(documentation.map(|words| Step { name: "doc tests", action: Action::Cargo(words) }));
@@ -153,6 +166,10 @@ impl Action {
                 Ok(tools) => tools.check().map(|()| true),
                 Err(why) => return Outcome::NotRun(why),
             },
+            Self::Mpi => match mpi::missing() {
+                None => Ok(true),
+                Some(why) => return Outcome::Skipped(why),
+            },
             Self::Package => match python::program() {
                 Ok(_) => package::test(),
                 Err(why) => return Outcome::Skipped(format!("{why}; the package for Python is not tested")),
@@ -176,6 +193,7 @@ impl Action {
             Self::Python => "cargo xtask python".to_owned(),
             Self::Aarch64 => "cargo xtask aarch64".to_owned(),
             Self::Package => "cargo xtask package".to_owned(),
+            Self::Mpi => "cargo xtask test --mpi".to_owned(),
         }
     }
 }
@@ -200,7 +218,7 @@ mod tests {
     use super::*;
 
     fn commands(depth: Depth, nextest: bool) -> Vec<String> {
-        plan(depth, nextest).iter().map(|step| step.action.repeat()).collect()
+        plan(depth, nextest, nextest).iter().map(|step| step.action.repeat()).collect()
     }
 
     #[test]
@@ -213,13 +231,14 @@ mod tests {
                 "cargo clippy --workspace --all-targets -- -D warnings",
                 "cargo doc --workspace --no-deps --config 'build.rustdocflags = [\"-D\", \"warnings\"]'",
                 "cargo xtask python",
-                "cargo nextest run --workspace",
+                "cargo xtask test --mpi",
+                "cargo nextest run --workspace --features coque-mpi/mpi",
                 "cargo xtask package",
                 "cargo test --doc --workspace",
                 "cargo xtask aarch64",
             ]
         );
-        assert_eq!(commands(Depth::Quick, false)[5..6], ["cargo test --workspace"]);
+        assert_eq!(commands(Depth::Quick, false)[6..7], ["cargo test --workspace"]);
         assert!(!commands(Depth::Quick, false).iter().any(|command| command.contains("--doc")));
     }
 

@@ -64,6 +64,7 @@ impl Marching {
                 Ok(Event::Step) => return self.between(body, run),
                 Ok(Event::Level(reached)) => self.watch.level(&reached, run),
                 Ok(Event::Record(record)) => {
+                    body.bring();
                     if self.watch.record(&record, body, run).is_continue() {
                         return ControlFlow::Continue(());
                     }
@@ -88,6 +89,7 @@ impl Marching {
         if let Some(state) = self.march.as_ref().and_then(March::state)
             && run.checkpoint_due(true)
         {
+            body.bring();
             run.keep_checkpoint(&Stage::March(state.clone()), body);
         }
         self.account(body, run);
@@ -103,6 +105,9 @@ impl Marching {
     fn between(&mut self, body: &mut dyn DynamicBody, run: &mut Run<'_>) -> ControlFlow<Ended> {
         let Some(march) = &self.march else { return ControlFlow::Continue(()) };
         let clock = march.clock();
+        if run.counts_impulses() {
+            body.bring();
+        }
         run.count_impulses(clock.now.time, &*body);
         let flow = run.update(&ProgressReport {
             done: march.done(),
@@ -119,18 +124,20 @@ impl Marching {
             && let Some(state) = march.state()
         {
             self.watch.settled = false;
+            body.bring();
             run.keep_checkpoint(&Stage::March(state.clone()), body);
         }
         ControlFlow::Continue(())
     }
 
-    fn end(&self, ended: Ended, body: &dyn DynamicBody, run: &mut Run<'_>) -> ControlFlow<Ended> {
+    fn end(&self, ended: Ended, body: &mut dyn DynamicBody, run: &mut Run<'_>) -> ControlFlow<Ended> {
         self.account(body, run);
         ControlFlow::Break(ended)
     }
 
     /// Notes how many steps there were, and whether their energies balance.
-    fn account(&self, body: &dyn DynamicBody, run: &mut Run<'_>) {
+    fn account(&self, body: &mut dyn DynamicBody, run: &mut Run<'_>) {
+        body.bring();
         warning_balance(body, &mut run.record);
         if let Some(march) = &self.march {
             run.record.steps = march.clock().steps;

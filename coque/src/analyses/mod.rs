@@ -87,6 +87,7 @@ impl Model {
             frames: sink.map(|sink| Frames::new(sink, &self.task, driven, self.barred.is_some())),
             progress,
             checkpoints,
+            ranks: self.ranks.clone(),
         }
     }
 
@@ -107,7 +108,7 @@ impl Model {
 
     fn summary(self, record: RunRecord, supports: Option<Resultant>, ended: &Ended) -> Summary {
         let mut description = self.describe();
-        let Self { task, threads, .. } = self;
+        let Self { task, threads, ranks, .. } = self;
         if let Analysis::Explicit(explicit) = &task.analysis {
             let line = stability::left_out(explicit, description.tangent, &record.levels);
             description.left_out.extend(line.filter(|line| !description.left_out.contains(line)));
@@ -119,6 +120,7 @@ impl Model {
             analysis: task.analysis.word().into(),
             supports,
             threads,
+            ranks: ranks.map(|ranks| ranks.number()),
             particle_steps_per_second: description.particles as f64 * marched as f64 / record.wall_seconds,
             ended: ended.to_string(),
             errors: None,

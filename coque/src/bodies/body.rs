@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use contact::{FrontChange, NodalContact};
 use explicit_dynamics::{Dynamics, Exert, Shortened};
 use implicit_statics::Equilibrium;
+use peers::Peers;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 
@@ -13,6 +14,7 @@ use super::contact_now::{ContactFields, ContactNow};
 use super::field_source::{FieldRequest, FieldSource};
 use super::figures::FluidFigures;
 use super::glue_now::GlueNow;
+use super::one_process::NotShared;
 use super::outline::Outline;
 use super::resultants::{LoadResultants, Resultant};
 use super::sampled::POINT_NUMBERS;
@@ -142,6 +144,18 @@ pub trait DynamicBody: Body + Dynamics {
     fn slowed(&self) -> Shortened {
         Shortened::default()
     }
+
+    /// Marches it with others from now on, each of whom has built the same: all that its march returns is then that of the whole, and what is
+    /// read of it is right after [`DynamicBody::bring`].
+    ///
+    /// # Errors
+    /// What of it one process marches alone.
+    fn share(&mut self, _peers: Box<dyn Peers>) -> Result<(), NotShared> {
+        Err(NotShared::Kind)
+    }
+
+    /// Brings all that can be read of it to everyone who marches it; all of them call it.
+    fn bring(&mut self) {}
 
     /// Lets a function exert forces on its particles from now on; the function comes back from a body that cannot.
     ///

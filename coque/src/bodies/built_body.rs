@@ -63,6 +63,7 @@ impl BuiltBody<Ready> {
             sets,
             barred,
             increments: Vec::new(),
+            ranks: None,
         }
     }
 }

@@ -9,8 +9,10 @@ use sph_core::Cell;
 use super::body::{Description, PrescribedPoint, Ready, Shape};
 use super::contacts_of_scene::ContactsOfScene;
 use super::memory::Memory;
+use super::one_process::OneProcess;
 use super::probe::Probe;
 use crate::Warning;
+use crate::ranks::Ranks;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
 use crate::scene::{Analysis, Checked, Output, Scene};
@@ -64,6 +66,8 @@ pub struct Model {
     /// Changes of the state from one level to the next, from which the levels of a static analysis start; none where each starts at the one
     /// before.
     pub(crate) increments: Vec<Vec<f64>>,
+    /// Those who run it together; none where one process does.
+    pub(crate) ranks: Option<Ranks>,
 }
 
 /// Why no function can exert forces on a body.
@@ -111,6 +115,7 @@ impl Model {
             contacts: ContactsOfScene::default(),
             barred: None,
             increments: Vec::new(),
+            ranks: None,
             sets: BTreeMap::new(),
         }
     }
@@ -132,6 +137,23 @@ impl Model {
         self.task.output.checkpoint_every = None;
         self.description.left_out.retain(|line| line != "loads");
         self.description.modelled.push("forces that a function of the caller exerts".into());
+        Ok(())
+    }
+
+    /// Runs it with others, each of whom has built the same model and calls this; the first of them has the results of all.
+    ///
+    /// # Errors
+    /// [`OneProcess`].
+    pub fn share(&mut self, ranks: &Ranks) -> Result<(), OneProcess> {
+        let (analysis, started) = (self.task.analysis.kind().word, ranks.number());
+        let Ready::Dynamic(body) = &mut self.body else {
+            return Err(OneProcess::Timeless { analysis, started });
+        };
+        if self.barred.is_some() {
+            return Err(OneProcess::Errors { started });
+        }
+        body.share(Box::new(ranks.clone())).map_err(|what| OneProcess::Body { what, started })?;
+        self.ranks = Some(ranks.clone());
         Ok(())
     }
 

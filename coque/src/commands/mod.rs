@@ -8,8 +8,10 @@ mod accurate;
 mod ask;
 mod bar;
 mod check;
+mod company;
 mod errors;
 mod examples;
+mod launcher;
 mod mesh;
 mod plot;
 mod refine;
@@ -27,6 +29,9 @@ use std::ffi::OsString;
 use std::sync::Arc;
 
 use clap::{CommandFactory, Parser, Subcommand};
+use company::Company;
+pub use company::ProcessGroup;
+pub use launcher::{Launched, launched};
 use stderr::Refused;
 use stop::{Stop, outlive_file_limits};
 
@@ -111,17 +116,35 @@ Exit codes: 0 done, 2 bad input or no room on the disk, 3 diverged, 4 done but s
 ///
 /// Words for people go to the standard error, tables and texts that were asked for to the standard output.
 pub fn command_line(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    command_line_in(None, arguments)
+}
+
+/// The same in one of several processes that a launcher started: all of them run a scene, or go on with a run, together; any other command is
+/// obeyed by the first alone.
+pub fn command_line_in(
+    group: Option<&dyn ProcessGroup>,
+    arguments: impl IntoIterator<Item = OsString>,
+) -> u8 {
     // First of all: a signal for which nobody watches ends the program as it stands.
     let stop = Stop::watch();
     outlive_file_limits();
+    let company = match Company::new(group) {
+        Ok(company) => company,
+        Err(refused) => {
+            refused.say();
+            return BAD_INPUT;
+        }
+    };
     let command = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli.command,
         Err(said) => {
-            let _ = said.print();
+            if company.is_first() {
+                let _ = said.print();
+            }
             return if said.use_stderr() { BAD_INPUT } else { DONE };
         }
     };
-    match stop.map_err(Refused::from).and_then(|stop| obey(command, &stop)) {
+    match stop.map_err(Refused::from).and_then(|stop| obey(command, &stop, &company)) {
         Ok(code) => code,
         Err(refused) => {
             refused.say();
@@ -130,16 +153,17 @@ pub fn command_line(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
-fn obey(command: Command, stop: &Arc<Stop>) -> Result<u8, Refused> {
+fn obey(command: Command, stop: &Arc<Stop>, company: &Company) -> Result<u8, Refused> {
     match command {
-        Command::Run(run) => run::carry_out(&run, stop),
+        Command::Run(run) => run::carry_out(&run, stop, company),
+        Command::Resume(resume) => resume::carry_out(&resume, stop, company),
+        _ if !company.is_first() => Ok(DONE),
         Command::Mesh(mesh) => mesh::carry_out(&mesh).map(|()| DONE),
         Command::View(view) => view::carry_out(&view, stop).map(|()| DONE),
         Command::Plot(plot) => plot::carry_out(&plot).map(|()| DONE),
-        Command::Resume(resume) => resume::carry_out(&resume, stop),
         Command::Sweep(sweep) => sweep::carry_out(&sweep, stop),
         Command::Refine(refine) => refine::carry_out(&refine, stop).map(|()| DONE),
-        Command::New(new) => templates::new(&new, stop),
+        Command::New(new) => templates::new(&new, stop, company),
         Command::Examples(examples) => examples::carry_out(&examples).map(|()| DONE),
         Command::Check(check) => check::carry_out(&check).map(|()| DONE),
         Command::List(list) => templates::list(&list).map(|()| DONE),

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::{Checkpoint, CheckpointError, Scene, read_text};
+use crate::{Checkpoint, CheckpointError, Model, Origin, ResultFolder, Scene, read_text};
 use clap::Args;
 
+use super::company::Company;
 use super::run::{build, launch, take};
 use super::stderr::Refused;
 use super::stop::Stop;
@@ -33,10 +34,21 @@ are found at one stroke.
 Exit codes: as `coque run`; 2 also for a checkpoint that is damaged, of another version or of a changed scene.";
 
 /// Reads the checkpoint, builds its scene again and goes on.
-pub fn carry_out(resume: &Resume, stop: &Arc<Stop>) -> Result<u8, Refused> {
+pub fn carry_out(resume: &Resume, stop: &Arc<Stop>, company: &Company) -> Result<u8, Refused> {
+    let (model, taken, origin, checkpoint) = company.all(prepare(resume, company))?;
+    stop.begin();
+    launch(model, taken.as_ref(), origin, Some(checkpoint), stop, company).map(|(code, _)| code)
+}
+
+/// The model of the run, its folder, for the process that writes into it, and where it stood.
+fn prepare(
+    resume: &Resume,
+    company: &Company,
+) -> Result<(Model, Option<ResultFolder>, Origin, Checkpoint), Refused> {
     let folder = &resume.folder;
     // A folder that is not there is not made.
-    let taken = folder.is_dir().then(|| take(folder)).transpose()?;
+    let here = company.is_first() && folder.is_dir();
+    let taken = here.then(|| take(folder)).transpose()?;
     let (checkpoint, text) = Checkpoint::read(folder).map_err(|error| match (&error, ended(folder)) {
         (CheckpointError::None(_), Some(how)) => format!(
             "the run in {} has ended already ({how}); to run it anew: coque run {}\n",
@@ -52,9 +64,7 @@ pub fn carry_out(resume: &Resume, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let scene = Scene::with_overrides(&text, &origin.file, &origin.replaced);
     let scene = scene.map_err(|error| Refused::scene(&error))?;
     let model = build(&scene, origin.threads)?;
-    let taken = taken.map_or_else(|| take(folder), Ok)?;
-    stop.begin();
-    launch(model, &taken, origin, Some(checkpoint), stop).map(|(code, _)| code)
+    Ok((model, taken, origin, checkpoint))
 }
 
 /// How the run in a folder ended, if it did.

@@ -1,5 +1,6 @@
 //! `coque run`: a scene, its run, its results; what building, running and reporting have in common for all commands.
 
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -7,13 +8,15 @@ use clap::Args;
 
 use super::accurate::{Wanted, forecast, refine};
 use super::bar::Bar;
+use super::company::Company;
 use super::errors;
 use super::stderr::{Refused, say};
 use super::stop::Stop;
 use super::view::Follower;
 use super::{BAD_INPUT, DIVERGED, DONE, INTERRUPTED, NOT_SETTLED};
 use crate::{
-    Checked, Checkpoint, Ended, GrowingCurve, Model, Origin, Outcome, ResultFolder, Scene, Warning, read_text,
+    Checked, Checkpoint, Ended, GrowingCurve, Model, OneProcess, Origin, Outcome, Progress, ProgressReport,
+    ResultFolder, RunOptions, Scene, Warning, read_text,
 };
 
 #[derive(Args)]
@@ -104,27 +107,27 @@ pub fn replacement(text: &str) -> Result<(String, String), String> {
     }
 }
 
-/// Reads, builds, runs, writes; the error is ready to print.
-pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
-    let mut replaced = run.replaced.clone();
-    let (mut scene, text) = read_scene(&run.scene, &replaced)?;
-    if run.view && scene.output.fields.is_none() {
-        replaced.push(("output.fields".into(), "{ stresses = true }".into()));
-        (scene, _) = read_scene(&run.scene, &replaced)?;
-    }
-    if (run.error || run.accuracy.is_some() || run.chart.is_some()) && scene.error.is_none() {
-        replaced.push(("error".into(), "{}".into()));
-        (scene, _) = read_scene(&run.scene, &replaced)?;
-    }
+/// Reads, builds, runs, writes; the error is ready to print. Of several processes each does all of it but write.
+pub fn carry_out(run: &Run, stop: &Arc<Stop>, company: &Company) -> Result<u8, Refused> {
     let out = run.out.clone().unwrap_or_else(|| default_out(&run.scene));
+    let read = scene_of(run);
     let Some(accuracy) = run.accuracy else {
-        let model = build(&scene, run.threads.into())?;
-        let folder = take(&out)?;
+        let prepared = read.and_then(|(scene, text, replaced)| {
+            let model = build(&scene, run.threads.into())?;
+            let folder = company.is_first().then(|| take(&out)).transpose()?;
+            Ok((model, folder, text, replaced))
+        });
+        let (model, folder, text, replaced) = company.all(prepared)?;
+        company.same(&text, &run.scene)?;
         stop.begin();
         let measured = model.measured();
-        let (code, outcome) = begin(run, model, &folder, text, replaced, stop)?;
+        let (code, outcome) = begin(run, model, folder.as_ref(), (text, replaced), stop, company)?;
         return draw(run, &outcome, &measured).map(|()| code);
     };
+    if let Some(ranks) = company.ranks() {
+        return Err(format!("{}\n", OneProcess::Errors { started: ranks.number() }).into());
+    }
+    let (scene, _, replaced) = read?;
     let mut wanted = forecast(&scene, accuracy, run.threads.into())?;
     let folder = take(&out)?;
     stop.begin();
@@ -135,7 +138,7 @@ pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
         let (scene, text) = read_scene(&run.scene, &replaced)?;
         let model = build(&scene, run.threads.into())?;
         let measured = model.measured();
-        let (code, outcome) = begin(run, model, &folder, text, replaced, stop)?;
+        let (code, outcome) = begin(run, model, Some(&folder), (text, replaced), stop, company)?;
         let next = again.then(|| refine(&scene, &outcome, &measured, accuracy, folder.path())).flatten();
         match next.filter(|_| code == DONE && !stop.asked()) {
             Some(next) => wanted = next,
@@ -144,28 +147,47 @@ pub fn carry_out(run: &Run, stop: &Arc<Stop>) -> Result<u8, Refused> {
     }
 }
 
+/// Paths and the values put there.
+type Replaced = Vec<(String, String)>;
+
+/// The scene with what the options replace, its text, and that.
+fn scene_of(run: &Run) -> Result<(Checked, String, Replaced), Refused> {
+    let mut replaced = run.replaced.clone();
+    let (mut scene, text) = read_scene(&run.scene, &replaced)?;
+    if run.view && scene.output.fields.is_none() {
+        replaced.push(("output.fields".into(), "{ stresses = true }".into()));
+        (scene, _) = read_scene(&run.scene, &replaced)?;
+    }
+    if (run.error || run.accuracy.is_some() || run.chart.is_some()) && scene.error.is_none() {
+        replaced.push(("error".into(), "{}".into()));
+        (scene, _) = read_scene(&run.scene, &replaced)?;
+    }
+    Ok((scene, text, replaced))
+}
+
 /// Draws the errors over the times of the lattices, if that is asked for.
 fn draw(run: &Run, outcome: &Outcome, measured: &[String]) -> Result<(), Refused> {
     let (Some(file), Some(errors)) = (&run.chart, &outcome.summary.errors) else { return Ok(()) };
     errors::chart(errors, measured, &outcome.summary.title, file)
 }
 
-/// Runs a model that was built of a scene with values replaced, into its folder.
+/// Runs a model that was built of a scene with values replaced, into its folder, if this process has one.
 fn begin(
     run: &Run,
     model: Model,
-    folder: &ResultFolder,
-    text: String,
-    replaced: Vec<(String, String)>,
+    folder: Option<&ResultFolder>,
+    (text, replaced): (String, Replaced),
     stop: &Arc<Stop>,
+    company: &Company<'_>,
 ) -> Result<(u8, Outcome), Refused> {
-    let text = folder.begin(&run.scene, text, &replaced)?;
+    let begun = folder.map_or(Ok(text.clone()), |folder| folder.begin(&run.scene, text, &replaced));
+    let text = company.all(begun.map_err(Refused::from))?;
     // Another folder may be the present one when the run goes on.
     let file = std::path::absolute(&run.scene).unwrap_or_else(|_| run.scene.clone());
     let file = file.display().to_string();
     let origin = Origin::new(&text, file, replaced, run.threads.into());
-    let follower = run.view.then(|| Follower::begin(folder.path()));
-    let ended = launch(model, folder, origin, None, stop);
+    let follower = folder.filter(|_| run.view).map(|folder| Follower::begin(folder.path()));
+    let ended = launch(model, folder, origin, None, stop, company);
     let shown = follower.map_or(Ok(()), Follower::end);
     let ended = ended?;
     shown?;
@@ -189,18 +211,26 @@ pub fn build(scene: &Checked, threads: usize) -> Result<Model, Refused> {
     Ok(model)
 }
 
-/// Runs from the start or from a checkpoint, writes the results, and gives the exit code with what was found.
+/// Runs from the start or from a checkpoint, writes the results, and gives the exit code with what was found. Those who run it together
+/// write nothing but the first.
 pub fn launch(
-    model: Model,
-    folder: &ResultFolder,
+    mut model: Model,
+    folder: Option<&ResultFolder>,
     origin: Origin,
     from: Option<Checkpoint>,
     stop: &Arc<Stop>,
+    company: &Company<'_>,
 ) -> Result<(u8, Outcome), Refused> {
+    if let Some(ranks) = company.ranks() {
+        model.share(ranks).map_err(|refused| format!("{refused}\n"))?;
+    }
+    let Some(folder) = folder else { return follow(model, from, stop) };
     let out = folder.path();
     let described = model.describe();
+    let together =
+        company.ranks().map_or_else(String::new, |ranks| format!(", {} processes", ranks.number()));
     say(&format!(
-        "{}: {} particles, {} degrees of freedom",
+        "{}: {} particles, {} degrees of freedom{together}",
         model.task.title, described.particles, described.dof
     ));
     let early = model.warnings().to_vec();
@@ -208,12 +238,29 @@ pub fn launch(
     early.iter().for_each(|warning| say(&format!("warning: {}", warning.message)));
     let curve = GrowingCurve::new(&out.join(ResultFolder::CURVE));
     let mut bar = Bar::new(described.particles, stop.clone(), curve);
-    let kept = model.run_into(folder, origin, from, &mut bar, None)?;
+    let kept = company.sure(model.run_into(folder, origin, from, &mut bar, None))?;
     bar.finish();
     let code = report(&kept.outcome, &early, out, kept.resumable);
     errors::report(&kept.outcome, &measured);
     kept.written?;
     Ok((code, kept.outcome))
+}
+
+/// Runs it with the process that speaks and writes.
+fn follow(model: Model, from: Option<Checkpoint>, stop: &Arc<Stop>) -> Result<(u8, Outcome), Refused> {
+    let mut progress = Follow(stop.clone());
+    let options = RunOptions { progress: &mut progress, checkpoints: None, fields: None, from };
+    let outcome = model.run_with(options).map_err(|error| format!("{error}\n"))?;
+    Ok((DONE, outcome))
+}
+
+/// Ends the run when that is asked of this process.
+struct Follow(Arc<Stop>);
+
+impl Progress for Follow {
+    fn update(&mut self, _: &ProgressReport) -> ControlFlow<()> {
+        if self.0.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
 }
 
 /// Takes the folder of a run for this program.

@@ -9,6 +9,7 @@ use clap::Args;
 
 use super::DONE;
 use super::ask::{agreed, ask};
+use super::company::Company;
 use super::examples::{self, write_new};
 use super::run::{self, Run};
 use super::starter::What;
@@ -56,7 +57,7 @@ and in the first line of a scene beside it:
   #:schema schema.json";
 
 /// Writes a scene to start from: an example, or what questions lead to; without a terminal the examples are listed.
-pub fn new(new: &New, stop: &Arc<Stop>) -> Result<u8, Refused> {
+pub fn new(new: &New, stop: &Arc<Stop>, company: &Company) -> Result<u8, Refused> {
     if let Some(name) = &new.template {
         let example = examples::find(name)?;
         let file = new.file.clone().unwrap_or_else(|| format!("{name}.toml").into());
@@ -75,7 +76,7 @@ pub fn new(new: &New, stop: &Arc<Stop>) -> Result<u8, Refused> {
     write_new(Path::new(&file), &starter.scene(&file))?;
     say(&format!("{file} is written; what it models, and what a run will cost: coque check {file}"));
     if agreed("Run it now and look at it in the browser?", &mut from, &mut to).map_err(unheard)? {
-        return run::carry_out(&Run::shown(file.into()), stop);
+        return run::carry_out(&Run::shown(file.into()), stop, company);
     }
     Ok(DONE)
 }

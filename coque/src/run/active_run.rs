@@ -14,6 +14,7 @@ use super::record::RunRecord;
 use crate::WarningKind;
 use crate::bodies::{Body, Configuration, Identity, PrescribedPoint, Probe, Resultant, Shape};
 use crate::fields::Frames;
+use crate::ranks::{Ranks, Word};
 use crate::results::curve::Curve;
 
 /// Positions kept in all shapes together: half a gigabyte.
@@ -45,6 +46,8 @@ pub(crate) struct Run<'a> {
     /// Who receives its progress, if anyone does.
     pub progress: Option<&'a mut dyn Progress>,
     pub checkpoints: Option<&'a mut Checkpoints>,
+    /// Those who run it together; none where one process does.
+    pub ranks: Option<Ranks>,
 }
 
 impl Run<'_> {
@@ -67,6 +70,11 @@ impl Run<'_> {
             }
         }
         self.impulses.recorded();
+    }
+
+    /// Whether forces are read in every step.
+    pub fn counts_impulses(&self) -> bool {
+        self.probes.iter().any(|probe| probe.of.has_mean())
     }
 
     /// Counts what forces did over the step that ended at a time; between two steps they are those of its kick.
@@ -115,14 +123,24 @@ impl Run<'_> {
         }
     }
 
-    /// Offers the present state as a frame, if frames are wanted.
+    /// Offers the present state as a frame, if frames are wanted. Of several processes only the first has any: it says to the others that it
+    /// cannot go on, and all end behind the next step.
     pub fn offer(&mut self, body: &dyn Body, time: f64, level: f64) -> ControlFlow<()> {
-        self.frames.as_mut().map_or(ControlFlow::Continue(()), |frames| frames.offer(body, time, level))
+        let flow =
+            self.frames.as_mut().map_or(ControlFlow::Continue(()), |frames| frames.offer(body, time, level));
+        let Some(ranks) = self.ranks.as_ref().filter(|_| flow.is_break()) else { return flow };
+        ranks.say(Word::Stop);
+        ControlFlow::Continue(())
     }
 
-    /// Whether a checkpoint is due; `asked` where one is wanted at any rate.
+    /// Whether a checkpoint is due, for all processes alike; `asked` where one is wanted at any rate.
     pub fn checkpoint_due(&self, asked: bool) -> bool {
-        self.checkpoints.as_ref().is_some_and(|kept| kept.due(asked))
+        let due = self.checkpoints.as_ref().is_some_and(|kept| kept.due(asked));
+        let Some(ranks) = &self.ranks else { return due };
+        if due {
+            ranks.say(Word::Checkpoint);
+        }
+        ranks.heard(Word::Checkpoint) || asked
     }
 
     /// Writes a checkpoint, if the run writes any; what prevents it is reported, and the run goes on.
@@ -203,9 +221,14 @@ impl Run<'_> {
         }
     }
 
-    /// Tells how it goes; `Break` if it is to end.
+    /// Tells how it goes; `Break` if it is to end, for all processes alike.
     pub fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {
-        self.progress.as_mut().map_or(ControlFlow::Continue(()), |progress| progress.update(news))
+        let flow = self.progress.as_mut().map_or(ControlFlow::Continue(()), |progress| progress.update(news));
+        let Some(ranks) = &self.ranks else { return flow };
+        if flow.is_break() {
+            ranks.say(Word::Stop);
+        }
+        if ranks.heard(Word::Stop) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// Tells how it goes without time; `Break` if it is to end.

@@ -26,6 +26,9 @@ pub struct Summary {
     pub supports: Option<Resultant>,
     /// Threads used.
     pub threads: usize,
+    /// Processes that ran it together, each with so many threads; none where one did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ranks: Option<usize>,
     /// Particles times steps per second of the march \[1/s\]; zero without time.
     pub particle_steps_per_second: f64,
     /// "done", or why the run ended early.

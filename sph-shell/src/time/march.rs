@@ -370,7 +370,7 @@ mod tests {
             let march = |share: Option<Box<dyn peers::Peers>>| {
                 let mut shell = body(cloud.clone(), loaded, &mut thrown.clone());
                 if let Some(peers) = share {
-                    shell = shell.share(peers).unwrap();
+                    shell.share(peers).unwrap();
                 }
                 let from = shell.motion().map(<[Row]>::to_vec);
                 let mut bits = marched(&mut shell, &from, Shell::advance);

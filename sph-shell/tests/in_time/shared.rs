@@ -26,6 +26,12 @@ fn strip() -> Shell {
     shell(cloud, CELLS, 0.05, &StretchCorrected, supports, loads)
 }
 
+/// One of those who march it together.
+fn shared(mut shell: Shell, peers: Box<dyn Peers>) -> Shell {
+    shell.share(peers).unwrap();
+    shell
+}
+
 /// Everything that a march tells, as words; and what is read of the shell at its end.
 fn reported(plan: &Plan, mut shell: Shell) -> (Vec<String>, Vec<u64>) {
     let records = records(plan.clone(), &mut shell).unwrap();
@@ -55,7 +61,7 @@ fn marches_tell_the_same_whoever_makes_them() {
         let alone = reported(&plan, strip());
         assert!(alone.0.len() > 2, "{:?}", alone.0);
         for count in [1, 2, 3, 4, 7] {
-            let all = together(count, |peers| reported(&plan, strip().share(peers).unwrap())).unwrap();
+            let all = together(count, |peers| reported(&plan, shared(strip(), peers))).unwrap();
             for (rank, found) in all.into_iter().enumerate() {
                 assert!(found == alone, "{count} peers, rank {rank}");
             }
@@ -66,7 +72,7 @@ fn marches_tell_the_same_whoever_makes_them() {
 /// Each moves its own particles alone, and all of them are somebody's.
 #[test]
 fn particles_are_shared_out() {
-    let mut owned = together(3, |peers| strip().share(peers).unwrap().own_particles()).unwrap();
+    let mut owned = together(3, |peers| shared(strip(), peers).own_particles()).unwrap();
     owned.sort_by_key(|own| own.start);
     assert_eq!(owned, [0..512, 512..1024, 1024..161 * 11]);
     assert_eq!(strip().own_particles(), 0..161 * 11);
@@ -80,7 +86,7 @@ fn all_refuse_a_state_beyond_the_model() {
         let a = 1300;
         shell.set_state(a, shell.position(a) + Vec3::new(0.5, 0.0, 0.0), shell.director(a));
         let shell = match peers {
-            Some(peers) => shell.share(peers).unwrap(),
+            Some(peers) => shared(shell, peers),
             None => shell,
         };
         shell.within_bounds(Bounds::Configuration).unwrap_err().to_string()

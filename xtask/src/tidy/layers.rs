@@ -27,7 +27,7 @@ const VIEW: &str = "viewer";
 const MODELS: &[&str] = &["sph-shell", "peridynamics", "fluid-sph", "sr-galerkin", "rigid-body"];
 
 /// Crates above the models.
-const ABOVE: &[&str] = &["coque", "coque-python", "validation"];
+const ABOVE: &[&str] = &["coque", "coque-mpi", "coque-python", "validation"];
 
 /// The truth, the only crate that may read it, and the only one of ours that its own shell may use.
 const TRUTH: &str = "benchmarks-ref";

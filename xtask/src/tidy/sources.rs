@@ -8,7 +8,7 @@ use super::tree::SourceFile;
 const LONGEST: usize = 400;
 
 /// Crates that may read, write and print.
-const MAY_DO_IO: &[&str] = &["mesh-io", "coque", "coque-python", "validation", "xtask"];
+const MAY_DO_IO: &[&str] = &["mesh-io", "coque", "coque-mpi", "coque-python", "validation", "xtask"];
 
 /// First folders of absolute paths that exist on one machine only.
 const PRIVATE_FOLDERS: &[&str] = &["work", "home", "tmp"];

@@ -4,8 +4,9 @@ use std::ops::DerefMut;
 
 use contact::{FrontChange, NodalContact};
 use explicit_dynamics::{Dynamics, Exert};
+use peers::Peers;
 use sph_core::Vec3;
-use sph_shell::{Formulation, LoadCase, PointResult, Shell, StaticShell};
+use sph_shell::{Formulation, LoadCase, PointResult, Shell, ShellError, StaticShell};
 
 use super::balance::unbalanced;
 use super::contacts::contacts;
@@ -17,7 +18,9 @@ use super::yielding::{warnings, yielding};
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray, StaticBody};
 use crate::bodies::sampled::POINT_NUMBERS;
-use crate::bodies::{ContactFields, ContactNow, FieldRequest, FieldSource, Outline, Resultant, Yielding};
+use crate::bodies::{
+    ContactFields, ContactNow, FieldRequest, FieldSource, NotShared, Outline, Resultant, Yielding,
+};
 use crate::scene::Measured;
 
 /// What a checkpoint calls the lists of a shell that touches itself.
@@ -142,6 +145,17 @@ impl Body for Shell {
 }
 
 impl DynamicBody for Shell {
+    fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), NotShared> {
+        Shell::share(self, peers).map_err(|refused| match refused {
+            ShellError::NotShared(what) => NotShared::Part(what),
+            _ => NotShared::Kind,
+        })
+    }
+
+    fn bring(&mut self) {
+        Shell::bring(self);
+    }
+
     fn push(&mut self, exert: Exert) -> Result<(), Exert> {
         Shell::push(self, exert);
         Ok(())

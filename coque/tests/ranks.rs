@@ -1,0 +1,109 @@
+//! A scene that several run together: the first of them finds what one alone finds, to the bit. Threads stand for processes here; mpirun.rs has
+//! processes.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+mod common;
+
+use std::ops::ControlFlow;
+
+use common::{Replaced, scene};
+use coque::{Ended, OneProcess, Outcome, Progress, ProgressReport, Ranks, RunOptions, Silent};
+use peers::together;
+
+/// Scenes of several chunks that march in a second or two, one for each way to march.
+const SHELLS: [(&str, Replaced<'static>); 2] = [
+    (
+        "panel.toml",
+        &[
+            ("geometry.cylinder.particles", "[31, 35]"),
+            ("analysis.explicit.quasi-static", "{ levels = [0.03, 0.05], tolerance = 1e-3 }"),
+        ],
+    ),
+    (
+        "plate.toml",
+        &[
+            ("geometry.plate.particles", "[41, 41]"),
+            ("analysis", "{ explicit = { transient = { duration = 0.02, record_every = 0.002 } } }"),
+        ],
+    ),
+];
+
+/// What a run found, wall times apart.
+fn found(outcome: &Outcome) -> String {
+    let record = coque::RunRecord { wall_seconds: 0.0, ..outcome.summary.record.clone() };
+    let rows: Vec<Vec<u64>> =
+        outcome.curve.rows.iter().map(|row| row.iter().map(|x| x.to_bits()).collect()).collect();
+    format!("{:?} {rows:?} {record:?} {:?}", outcome.ended, outcome.shapes)
+}
+
+#[test]
+fn the_first_finds_what_one_alone_finds() {
+    for (name, replaced) in SHELLS {
+        let alone = found(&common::done(name, replaced));
+        for (count, threads) in [(1, 1), (2, 2), (3, 1), (4, 1)] {
+            let all = together(count, |peers| {
+                let mut model = scene(name, replaced).unwrap().build(threads).unwrap();
+                model.share(&Ranks::new(peers)).unwrap();
+                found(&model.run(&mut Silent))
+            });
+            assert!(all.unwrap()[0] == alone, "{name}, {count} of {threads} threads");
+        }
+    }
+}
+
+/// Asks for the end in the step of a number.
+struct EndsAt(Option<u64>);
+
+impl Progress for EndsAt {
+    fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {
+        if self.0.is_some_and(|step| news.steps >= step) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+}
+
+/// One of three is asked to end: all end behind the same step.
+#[test]
+fn who_is_asked_to_end_ends_all() {
+    let (name, replaced) = SHELLS[1];
+    for asked in 0..3 {
+        let all = together(3, |peers| {
+            let ranks = Ranks::new(peers);
+            let mut model = scene(name, replaced).unwrap().build(1).unwrap();
+            model.share(&ranks).unwrap();
+            let mut progress = EndsAt((ranks.rank() == asked).then_some(20));
+            let options = RunOptions { progress: &mut progress, checkpoints: None, fields: None, from: None };
+            let outcome = model.run_with(options).unwrap();
+            assert!(matches!(outcome.ended, Ended::Interrupted { .. }), "{}", outcome.ended);
+            outcome.summary.record.steps
+        });
+        assert_eq!(all.unwrap(), [21; 3], "asked of {asked}");
+    }
+}
+
+#[test]
+fn what_one_process_runs_alone_is_refused() {
+    let refused = |name: &str, replaced: Replaced| {
+        let all = together(2, |peers| {
+            let mut model = scene(name, replaced).unwrap().build(1).unwrap();
+            model.share(&Ranks::new(peers)).unwrap_err()
+        });
+        let all = all.unwrap();
+        assert_eq!(all[0], all[1]);
+        all[0]
+    };
+    let timeless = refused("scordelis-lo.toml", &[]);
+    assert!(matches!(timeless, OneProcess::Timeless { started: 2, .. }), "{timeless}");
+    println!("{timeless}");
+    let errors = refused("plate.toml", &[SHELLS[1].1[0], SHELLS[1].1[1], ("error", "{}")]);
+    assert_eq!(errors, OneProcess::Errors { started: 2 });
+    println!("{errors}");
+    for name in ["plate-on-plate.toml", "dam-break.toml", "mass-on-column.toml"] {
+        let body = refused(name, &[]);
+        assert!(matches!(body, OneProcess::Body { started: 2, .. }), "{body}");
+        println!("{body}");
+    }
+}
