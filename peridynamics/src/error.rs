@@ -122,6 +122,9 @@ pub enum SolidError {
         /// What it must be.
         bound: &'static str,
     },
+    /// What one process marches alone.
+    #[error("{0} is marched by one process alone; start one, with as many threads as there are cores")]
+    NotShared(&'static str),
     /// Bonds that yield where they cannot.
     #[error("bonds that yield {0}")]
     Yielding(&'static str),

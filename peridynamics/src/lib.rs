@@ -14,6 +14,8 @@
 //!
 //! A thin plate is two networks in plane stress on directors, with transverse shear between columns ([`Sheets`]).
 //!
+//! Several may march a solid together ([`Solid::share`]), each the nodes of its share, to the bits of one who marches it alone.
+//!
 //! In a fluid ([`Solid::wet`]) the nodes are the points of the boundary; damage changes nothing of that.
 #![warn(missing_docs)]
 
@@ -30,6 +32,8 @@ mod mirror;
 mod parts;
 mod plastic;
 mod readings;
+mod share;
+mod sharing;
 mod sheets;
 mod solid;
 mod statics;

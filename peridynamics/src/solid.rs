@@ -12,6 +12,7 @@ use crate::error::SolidError;
 use crate::fracture::Breakage;
 use crate::mirror::{Borne, Mirror};
 use crate::parts::{Idealisation, Parts};
+use crate::share::Share;
 use crate::sheets::Plate;
 use crate::wetted::Surface;
 
@@ -37,9 +38,9 @@ pub struct Solid {
     /// Loads of the last evaluation \[F\]; empty without any.
     pub(crate) external: Vec<Vec3>,
     /// Forces that a function exerts.
-    push: Option<Box<Push>>,
+    pub(crate) push: Option<Box<Push>>,
     /// Forces that other bodies exert on nodes; empty of a solid alone.
-    exerted: Vec<(u32, Vec3)>,
+    pub(crate) exerted: Vec<(u32, Vec3)>,
     /// What a fluid wets.
     pub(crate) wetted: Option<Box<Surface>>,
     pub(crate) constraints: Constraints,
@@ -54,7 +55,8 @@ pub struct Solid {
     pub(crate) works: Vec<Work>,
     /// Speed of pressure waves, a bound of all motion \[L/T\].
     pub(crate) sound_speed: f64,
-    pub(crate) threads: usize,
+    /// Who marches it, on how many threads.
+    pub(crate) share: Share,
 }
 
 impl Solid {
@@ -141,7 +143,7 @@ impl Solid {
             breaking: Vec::new(),
             works: Vec::new(),
             sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
-            threads: threads.max(1),
+            share: Share::alone(count, threads.max(1)),
             rest,
             block,
         })
@@ -258,7 +260,7 @@ impl Solid {
 
     /// Evaluates the internal forces of the present state, and the stored energy if asked for. No bond breaks.
     pub fn evaluate_internal(&mut self, energy: bool) {
-        let wanted = Evaluation { energy, watch: false, threads: self.threads };
+        let wanted = Evaluation { energy, watch: false, share: &self.share };
         let stored = self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
         if energy {
             self.internal_energy = stored;
@@ -267,7 +269,7 @@ impl Solid {
 
     /// Counts the work that the present state does on bonds, if that breaks them; evaluated once more it does none.
     pub(crate) fn count_work(&mut self) {
-        let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
+        let wanted = Evaluation { energy: false, watch: true, share: &self.share };
         self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
     }
 
@@ -281,8 +283,8 @@ impl Solid {
     /// them to their limits: what they hold falls with the square of how far they are taken.
     pub(crate) fn break_critical(&mut self) -> f64 {
         let most = self.utilisation();
-        let share = 1.0 / (most * most).max(1.0);
-        let energy = self.mechanics.break_from(most * (1.0 - ALIKE), share, &self.rows);
+        let counted = 1.0 / (most * most).max(1.0);
+        let energy = self.mechanics.break_from(most * (1.0 - ALIKE), counted, &self.rows, &self.share);
         // Work goes on from the pulls of the bonds that are left.
         self.count_work();
         energy
@@ -290,7 +292,9 @@ impl Solid {
 
     /// The loads of the body at an instant.
     pub(crate) fn evaluate_loads(&mut self, at: Instant) {
-        self.external.fill(Vec3::zeros());
+        if let Some(own) = self.external.get_mut(self.share.own(self.rest.len())) {
+            own.fill(Vec3::zeros());
+        }
         for load in &self.loads {
             let factor = load.factor(at);
             for (node, force) in &load.forces {

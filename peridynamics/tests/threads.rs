@@ -7,9 +7,11 @@ mod lattices;
 use std::alloc::System;
 use std::sync::Mutex;
 
-use explicit_dynamics::{Amplitude, Clock, Dynamics};
+use explicit_dynamics::{Amplitude, Bounds, Clock, Dynamics};
 use lattices::{ALL, formulation, lattice, parts, poisson};
-use peridynamics::{AppliedLoad, Elastic, Law, Plastic, Solid, Space, Support, Supported};
+use peridynamics::{
+    AppliedLoad, Criterion, Elastic, Fracture, Law, Parts, Plastic, Solid, Space, Support, Supported,
+};
 use sph_core::Vec3;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
@@ -19,8 +21,15 @@ static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 /// Tests of this file run one at a time: the counter belongs to the whole process.
 static ALONE: Mutex<()> = Mutex::new(());
 
+/// A limit that no bond comes to.
+const FAR: Criterion = Criterion::Stretch { tension: 0.9, compression: None };
+
 /// A block of several chunks of nodes, held at one end, pulled at the other by a prescribed motion and a load.
-fn body((space, law, plastic): (Space, Law, Option<Plastic>), threads: usize) -> Solid {
+fn body(of: (Space, Law, Option<Plastic>), threads: usize) -> Solid {
+    Solid::new(body_parts(of, threads)).unwrap()
+}
+
+fn body_parts((space, law, plastic): (Space, Law, Option<Plastic>), threads: usize) -> Parts {
     let block = match space {
         Space::Solid => lattice(3, [17, 9, 8], [0.1; 3]),
         Space::PlaneStress | Space::PlaneStrain => lattice(2, [41, 31, 1], [0.1; 3]),
@@ -31,7 +40,7 @@ fn body((space, law, plastic): (Space, Law, Option<Plastic>), threads: usize) ->
     let held = Support::Held { displacement: vec![Vec3::x(), Vec3::y()], director: Vec::new() };
     let moved = Support::Moved { direction: Vec3::x(), by: 0.02, amplitude: amplitude.clone() };
     let load = (count / 2..count / 2 + layer).map(|node| (node, Vec3::new(0.01, 0.002, 0.0))).collect();
-    Solid::new(peridynamics::Parts {
+    Parts {
         supports: vec![
             Supported { nodes: (0..layer).collect(), support: held },
             Supported { nodes: (count - layer..count).collect(), support: moved },
@@ -40,8 +49,7 @@ fn body((space, law, plastic): (Space, Law, Option<Plastic>), threads: usize) ->
         plastic,
         threads,
         ..parts(block, material, formulation(space, law))
-    })
-    .unwrap()
+    }
 }
 
 /// Positions and energies after some steps, as bits.
@@ -102,6 +110,39 @@ fn a_step_allocates_nothing() {
             // The test harness itself may allocate on its own thread now and then; a step that did would count 200.
             let counted = allocations(case, threads);
             assert!(counted < 20, "{case:?}: {counted} allocations in 200 steps on {threads} threads");
+        }
+    }
+}
+
+/// Nor does a step of several, in each of them: pairwise bonds that may break, and such as yield.
+#[test]
+fn a_step_of_peers_allocates_nothing() {
+    let _alone = ALONE.lock().unwrap();
+    let soft = Plastic { yield_stress: 1e-9, hardening: 0.0 };
+    for (space, law, plastic) in [
+        (Space::PlaneStress, Law::BondBased, None),
+        (Space::PlaneStress, Law::StateBased, None),
+        (Space::Solid, Law::StateBased, Some(soft)),
+    ] {
+        let counted = peers::together(2, |peers| {
+            let mut solid = Solid::new(Parts {
+                fracture: plastic.is_none().then_some(Fracture { criterion: FAR, unbreakable: Vec::new() }),
+                ..body_parts((space, law, plastic), 1)
+            })
+            .unwrap();
+            solid.share(peers).unwrap();
+            let mut clock = Clock::start(&mut solid, 1.0, 0.7, 0.01).unwrap();
+            (0..20).for_each(|_| clock.step(&mut solid, f64::INFINITY, |_| 1.0).unwrap());
+            // The counter belongs to the process: it starts and ends where all meet.
+            solid.within_bounds(Bounds::Motion).unwrap();
+            let region = Region::new(ALLOCATOR);
+            solid.within_bounds(Bounds::Motion).unwrap();
+            (0..200).for_each(|_| clock.step(&mut solid, f64::INFINITY, |_| 1.0).unwrap());
+            solid.within_bounds(Bounds::Motion).unwrap();
+            region.change().allocations
+        });
+        for counted in counted.unwrap() {
+            assert!(counted < 20, "{space:?} {law:?}: {counted} allocations in 200 steps of two peers");
         }
     }
 }

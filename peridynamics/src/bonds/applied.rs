@@ -12,6 +12,7 @@ use lanes::{Lanes, Reals, Sweep, Vector, widest};
 use super::forces::{Scratch, downhill};
 use super::network::{LANES, Network, Row};
 use super::present::{Own, Present, keep};
+use crate::share::Share;
 
 /// A state, and a displacement from it; their last places are `θ̂` and its change.
 #[derive(Clone, Copy)]
@@ -120,36 +121,43 @@ impl<const DILATATION: bool> Sweep for Chunk<'_, DILATATION> {
 }
 
 impl Network {
-    /// `∂²U/∂x∂x` at the positions in `rows` times the displacements in `along`; the last places of both take dilatations,
+    /// `∂²U/∂x∂x` at the positions in `rows` times the displacements in `along`, of own nodes; the last places of both take dilatations,
     /// the rows behind those of the nodes the images.
     pub fn tangent(
-        &self,
+        &mut self,
         rows: &mut [Row],
         along: &mut [Row],
         out: &mut [Row],
         scratch: &mut Scratch,
-        threads: usize,
+        share: &Share,
     ) {
+        let nodes = share.own(self.len());
+        share.send_places(rows);
+        if self.dilatation.is_some() {
+            self.dilate(rows, &mut scratch.dilatations, share);
+            self.send_found(rows, share);
+            self.take_found(rows, share);
+        } else {
+            self.take_places(rows, share);
+        }
+        share.exchange_places(along);
         if let Some(images) = &self.images {
-            images.place(rows);
             images.reflect(along);
         }
         if self.dilatation.is_some() {
-            let values = &mut scratch.dilatations;
-            self.dilate(rows, values, threads);
+            let (network, values) = (&*self, &mut scratch.dilatations);
             let (rows, at): (&[Row], &[Row]) = (rows, along);
-            parallel::chunks(threads, &mut values[..], |first, out: &mut [f64]| {
-                widest(Dilate { at: Linear { network: self, rows, along: at, first }, out });
+            share.sweep(nodes.start, &mut values[nodes.clone()], |first, out: &mut [f64]| {
+                widest(Dilate { at: Linear { network, rows, along: at, first }, out });
             });
-            keep(along, values, threads);
-            if let Some(images) = &self.images {
-                images.carry(along);
-            }
+            keep(along, values, share);
+            self.send_found(along, share);
+            self.take_found(along, share);
         }
-        let (rows, along): (&[Row], &[Row]) = (rows, along);
-        parallel::chunks(threads, out, |first, out: &mut [Row]| {
-            let at = Linear { network: self, rows, along, first };
-            match self.dilatation.is_some() {
+        let (network, rows, along): (&Self, &[Row], &[Row]) = (self, rows, along);
+        share.sweep(nodes.start, &mut out[nodes], |first, out: &mut [Row]| {
+            let at = Linear { network, rows, along, first };
+            match network.dilatation.is_some() {
                 true => widest(Chunk::<true> { at, out }),
                 false => widest(Chunk::<false> { at, out }),
             }

@@ -17,6 +17,8 @@ use super::work::Works;
 use crate::cracks::Cut;
 use crate::error::SolidError;
 use crate::formulation::Volumes;
+use crate::share::Share;
+use peers::Exact;
 use sph_core::Vec3;
 
 /// The bonds of a network that are whole, and what breaks them.
@@ -102,14 +104,23 @@ impl Breaking {
         Ok(())
     }
 
-    /// Lanes of the bonds beyond their limit in the last evaluation that held them against it, ascending.
-    pub fn noted<'a>(&'a self, scratch: &'a Scratch) -> impl Iterator<Item = usize> + 'a {
-        let by_work = self.works.iter().flat_map(Works::beyond);
-        let by_stretch = self.watch.iter().flat_map(|_| scratch.beyond());
+    /// Whether bonds may break.
+    pub fn is_watched(&self) -> bool {
+        self.watch.is_some() || self.works.is_some()
+    }
+
+    /// Lanes of the bonds of own nodes beyond their limit in the last evaluation that held them against it, ascending.
+    pub fn noted<'a>(&'a self, scratch: &'a Scratch, share: &Share) -> impl Iterator<Item = usize> + 'a {
+        let own = share.chunks_of(self.energies.len());
+        let by_work = self.works.iter().flat_map({
+            let own = own.clone();
+            move |works| works.beyond(own.clone())
+        });
+        let by_stretch = self.watch.iter().flat_map(move |_| scratch.beyond(own.clone()));
         by_work.chain(by_stretch).map(|lane| lane as usize).filter(|&lane| self.bonds.is_whole(lane))
     }
 
-    /// Breaks the bonds noted; returns the energy that the body loses at these positions \[F L\].
+    /// Breaks the bonds noted; returns the energy that the body loses at these positions, those of ghosts among them \[F L\].
     ///
     /// Of a node it is `Σ ¼ c e² + ½(λ − μ)V [θ² − (θ − Σ D e)²]`, the sums over its broken bonds, less the energy with
     /// which `contact` takes over; where bonds yield, the first e is the elastic part of the extension.
@@ -119,9 +130,10 @@ impl Breaking {
         scratch: &Scratch,
         rows: &[Row],
         contact: Option<&Repulsion>,
+        share: &Share,
     ) -> f64 {
-        let lanes = self.noted(scratch).collect();
-        self.break_lanes(network, (lanes, 1.0), rows, contact)
+        let lanes = self.noted(scratch, share).collect();
+        self.break_lanes(network, (lanes, 1.0), rows, contact, share)
     }
 
     /// Greatest of [`Breaking::utilisations`].
@@ -136,9 +148,10 @@ impl Breaking {
     pub fn break_from(
         &mut self,
         network: &mut Network,
-        (least, share): (f64, f64),
+        (least, counted): (f64, f64),
         rows: &[Row],
         contact: Option<&Repulsion>,
+        share: &Share,
     ) -> f64 {
         let mut lanes = Vec::new();
         self.utilisations(network, rows, |lane, utilisation| {
@@ -146,7 +159,7 @@ impl Breaking {
                 lanes.push(lane);
             }
         });
-        self.break_lanes(network, (lanes, share), rows, contact)
+        self.break_lanes(network, (lanes, counted), rows, contact, share)
     }
 
     /// How far whole bonds that may break are taken, one at the limit: their stretch over its limit, or the root of their work
@@ -173,37 +186,55 @@ impl Breaking {
         (lanes, counted): (Vec<usize>, f64),
         rows: &[Row],
         contact: Option<&Repulsion>,
+        share: &Share,
     ) -> f64 {
         let rows = &*network.extended(rows);
+        // In mirrors, and where bonds yield, the nodes of others have to know of a bond that breaks here.
+        let known = network.images.is_some() || network.flow.is_some();
+        let lanes = if known { share.all(lanes) } else { lanes };
         let lanes = self.with_images(network, lanes);
+        let own = share.own(network.len());
         let mut next = lanes.as_slice();
-        let (mut lost, mut touched) = (0.0, Vec::new());
+        let (mut lost, mut touched) = (Exact::new(), Vec::new());
         while let Some(&first) = next.first() {
             let node = network.node_of(first);
             let end = next.partition_point(|&lane| lane < network.lanes_of(node).end);
-            let theta = network.dilatation_of(node, rows);
-            let (mut held, mut share) = (0.0, 0.0);
-            for &lane in &next[..end] {
-                let bond = network.bond(lane);
-                let e = bond.extension(node, rows);
-                let [elastic, _] = network.elastic(node, &bond, e);
-                held += 0.25 * bond.stiffness * elastic * elastic;
-                held -= 0.5
-                    * contact.map_or(0.0, |c| c.of_broken([node, bond.other], bond.length, bond.length + e));
-                share += bond.shares[0] * e;
-                self.sever(network, lane);
+            let (broken, rest) = next.split_at(end);
+            if own.contains(&node) {
+                let held = counted * Self::held(network, (node, broken), rows, contact);
+                self.energies[node] += held;
+                lost.add(held);
             }
-            if let Some(dilatation) = &network.dilatation {
-                held += dilatation.factors[node] * share * (theta - 0.5 * share);
-            }
+            broken.iter().for_each(|&lane| self.sever(network, lane));
             touched.push(node);
-            held *= counted;
-            self.energies[node] += held;
-            lost += held;
-            next = &next[end..];
+            next = rest;
         }
         network.fit_flow(touched);
-        lost
+        share.total(lost)
+    }
+
+    /// What bonds of a node hold that break together.
+    fn held(
+        network: &Network,
+        (node, lanes): (usize, &[usize]),
+        rows: &[Row],
+        contact: Option<&Repulsion>,
+    ) -> f64 {
+        let (mut held, mut share) = (0.0, 0.0);
+        for &lane in lanes {
+            let bond = network.bond(lane);
+            let e = bond.extension(node, rows);
+            let [elastic, _] = network.elastic(node, &bond, e);
+            held += 0.25 * bond.stiffness * elastic * elastic;
+            held -=
+                0.5 * contact.map_or(0.0, |c| c.of_broken([node, bond.other], bond.length, bond.length + e));
+            share += bond.shares[0] * e;
+        }
+        if let Some(dilatation) = &network.dilatation {
+            let theta = network.dilatation_of(node, rows);
+            held += dilatation.factors[node] * share * (theta - 0.5 * share);
+        }
+        held
     }
 
     /// Lanes with all others of the same bonds in mirrors: images differ by rounding, and break in one step.
@@ -307,6 +338,18 @@ impl Breaking {
             own.take_up(works);
         }
         true
+    }
+
+    /// Brings the broken bonds of all nodes to all, with the energies that they held and the work on bonds.
+    pub fn bring(&mut self, network: &mut Network, share: &Share) {
+        let own = share.own(network.len());
+        let packs = network.starts[own.start] as usize..network.starts[own.end] as usize;
+        let broken = share.all(self.bonds.broken(packs).collect());
+        broken.into_iter().for_each(|lane| self.sever(network, lane));
+        share.bring(&mut self.energies, 1);
+        if let Some(works) = &mut self.works {
+            works.bring(network, share);
+        }
     }
 
     /// Memory beside the bonds \[bytes\].

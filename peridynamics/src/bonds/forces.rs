@@ -5,11 +5,14 @@
 //! the last bit, and so is the pull: forces sum to zero but for rounding, and a bond breaks at both ends in one step. Where bonds
 //! yield, e of the first term is the mean of the elastic parts that both ends have ([`super::flow`]).
 
+use std::ops::Range;
+
 use lanes::{Lanes, Sweep, Vector, widest};
 use parallel::{ByChunk, CHUNK};
 
 use super::network::{LANES, Network, Row};
 use super::present::{Own, Present};
+use crate::share::Share;
 
 /// Which bonds may break, and beyond which stretch.
 #[derive(Clone, Debug)]
@@ -43,9 +46,9 @@ impl Scratch {
         }
     }
 
-    /// Lanes `4 · pack + lane` of bonds that went beyond their limit in the last sweep, ascending.
-    pub fn beyond(&self) -> impl Iterator<Item = u32> {
-        self.beyond.iter().flatten().copied()
+    /// Lanes `4 · pack + lane` of bonds of own nodes that went beyond their limit in the last sweep, ascending.
+    pub fn beyond(&self, own: Range<usize>) -> impl Iterator<Item = u32> {
+        self.beyond[own].iter().flatten().copied()
     }
 }
 
@@ -153,13 +156,14 @@ pub(crate) struct Wanted<'a> {
     pub energy: bool,
     /// Limits that bonds are held against, if any.
     pub watch: Option<&'a Watch>,
-    /// Threads, at least one.
-    pub threads: usize,
+    /// Whose bonds are swept.
+    pub share: &'a Share,
 }
 
 impl Network {
-    /// Internal forces `∂U/∂x` of all nodes at the positions in `rows`, whose last places take the dilatations, and those behind
-    /// the nodes' the images; returns the stored energy \[F L\], zero unless wanted.
+    /// Internal forces `∂U/∂x` of own nodes at the positions in `rows`, whose last places take the dilatations, and those behind
+    /// the nodes' the images; returns the stored energy of all \[F L\], zero unless wanted. Bonds between own nodes are swept while
+    /// those of others are on their way.
     pub fn evaluate(
         &mut self,
         rows: &mut [Row],
@@ -167,22 +171,42 @@ impl Network {
         scratch: &mut Scratch,
         wanted: Wanted<'_>,
     ) -> f64 {
-        if let Some(images) = &self.images {
-            images.place(rows);
-        }
-        if let Some(mut flow) = self.flow.take() {
-            self.try_flow(&mut flow, rows, &mut scratch.dilatations, wanted.threads);
-            self.flow = Some(flow);
-        } else if self.dilatation.is_some() {
-            self.dilate(rows, &mut scratch.dilatations, wanted.threads);
+        let share = wanted.share;
+        share.send_places(rows);
+        if self.dilatation.is_some() {
+            self.find(rows, &mut scratch.dilatations, share);
         }
         let sweep = match (self.dilatation.is_some(), self.flow.is_some()) {
             (false, _) => Self::with::<false, false>,
             (true, false) => Self::with::<true, false>,
             (true, true) => Self::with::<true, true>,
         };
-        sweep(self, rows, forces, scratch, wanted);
-        scratch.energies.iter().sum()
+        sweep(self, rows, forces, scratch, wanted, share.inner());
+        match self.dilatation.is_some() {
+            true => self.take_found(rows, share),
+            false => self.take_places(rows, share),
+        }
+        for nodes in share.outer(self.len()) {
+            sweep(self, rows, forces, scratch, wanted, nodes);
+        }
+        if !wanted.energy {
+            return 0.0;
+        }
+        let [stored] =
+            share.sum(scratch.energies[share.chunks_of(self.len())].iter().map(|energy| [*energy]));
+        stored
+    }
+
+    /// Finds `(λ − μ) V θ` of own nodes, and what flows, and sends them.
+    fn find(&mut self, rows: &mut [Row], dilatations: &mut [f64], share: &Share) {
+        match self.flow.take() {
+            Some(mut flow) => {
+                self.try_flow(&mut flow, rows, dilatations, share);
+                self.flow = Some(flow);
+            }
+            None => self.dilate(rows, dilatations, share),
+        }
+        self.send_found(rows, share);
     }
 
     /// The sweep of a law.
@@ -192,6 +216,7 @@ impl Network {
         forces: &mut [Row],
         scratch: &mut Scratch,
         wanted: Wanted<'_>,
+        nodes: Range<usize>,
     ) {
         let sweep = match (wanted.energy, wanted.watch.is_some()) {
             (false, false) => Self::sweep::<DILATATION, FLOW, false, false>,
@@ -199,7 +224,7 @@ impl Network {
             (false, true) => Self::sweep::<DILATATION, FLOW, false, true>,
             (true, true) => Self::sweep::<DILATATION, FLOW, true, true>,
         };
-        sweep(self, rows, forces, scratch, wanted);
+        sweep(self, rows, forces, scratch, wanted, nodes);
     }
 
     fn sweep<const DILATATION: bool, const FLOW: bool, const ENERGY: bool, const WATCH: bool>(
@@ -208,6 +233,7 @@ impl Network {
         forces: &mut [Row],
         scratch: &mut Scratch,
         wanted: Wanted<'_>,
+        nodes: Range<usize>,
     ) {
         type Parts<'a> = (&'a mut [Row], (ByChunk<'a, f64>, ByChunk<'a, Vec<u32>>));
         let chunk = |first: usize, (forces, (ByChunk(energy), ByChunk(beyond))): Parts<'_>| {
@@ -222,8 +248,10 @@ impl Network {
                 beyond,
             });
         };
-        let Scratch { energies, beyond, .. } = scratch;
-        parallel::chunks(wanted.threads, (forces, (ByChunk(energies), ByChunk(beyond))), chunk);
+        let chunks = nodes.start / CHUNK..nodes.end.div_ceil(CHUNK);
+        let (energies, beyond) = (&mut scratch.energies[chunks.clone()], &mut scratch.beyond[chunks]);
+        let lists = (&mut forces[nodes.clone()], (ByChunk(energies), ByChunk(beyond)));
+        wanted.share.sweep(nodes.start, lists, chunk);
     }
 }
 

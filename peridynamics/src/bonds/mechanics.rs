@@ -6,32 +6,36 @@ use nalgebra::Matrix3;
 use super::couplings::Coupling;
 use super::flow::Past;
 use super::network::Row;
+use crate::share::{Reach, Share};
 use crate::unknowns::Unknowns;
 
 /// The stored energy of a body as a function of its rows, and how bonds break.
 pub(crate) trait Mechanics: Send + Sync {
-    /// Internal forces `∂U/∂row` of all rows; returns the stored energy \[F L\], zero unless wanted.
+    /// Internal forces `∂U/∂row` of own rows; returns the stored energy \[F L\], zero unless wanted.
     ///
     /// The last places of the rows are the mechanics' own. With `watch` it notes the bonds beyond their limit, for
     /// [`Mechanics::break_bonds`].
-    fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation) -> f64;
+    fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation<'_>) -> f64;
 
     /// Second derivatives at `rows` times the displacements `along`, into `out`; the last places of all are its own.
-    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], threads: usize);
+    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], share: &Share);
 
-    /// Whether bonds were beyond their limit in the last evaluation.
-    fn noted(&self) -> bool;
+    /// Whether bonds may break.
+    fn breaks(&self) -> bool;
+
+    /// Whether bonds of own nodes were beyond their limit in the last evaluation.
+    fn noted(&self, share: &Share) -> bool;
 
     /// Breaks the bonds noted in the last evaluation; returns the energy that the body loses at these rows, whose last
     /// places do not matter \[F L\].
-    fn break_bonds(&mut self, rows: &[Row]) -> f64;
+    fn break_bonds(&mut self, rows: &[Row], share: &Share) -> f64;
 
     /// How far the bond that is nearest to its limit is taken in the rows last evaluated, one at the limit; zero where none breaks.
     fn utilisation(&self, rows: &[Row]) -> f64;
 
-    /// Breaks the bonds taken so far or further in the rows last evaluated; counts a share of the energy that the body loses, and
+    /// Breaks the bonds taken so far or further in the rows last evaluated; counts a part of the energy that the body loses, and
     /// returns it \[F L\].
-    fn break_from(&mut self, least: f64, share: f64, rows: &[Row]) -> f64;
+    fn break_from(&mut self, least: f64, counted: f64, rows: &[Row], share: &Share) -> f64;
 
     /// Pairs of rows with second derivatives, by all bonds, whole or broken.
     fn couplings(&self) -> BlockPattern;
@@ -107,7 +111,7 @@ pub(crate) trait Mechanics: Send + Sync {
     }
 
     /// Keeps what flowed in the rows last evaluated; returns the plastic work \[F L\].
-    fn keep_flow(&mut self, _rows: &[Row], _threads: usize) -> f64 {
+    fn keep_flow(&mut self, _rows: &[Row], _share: &Share) -> f64 {
         0.0
     }
 
@@ -125,15 +129,24 @@ pub(crate) trait Mechanics: Send + Sync {
     fn take_up_flow(&mut self, flowed: [&[f64]; 2]) -> bool {
         flowed.iter().all(|array| array.is_empty())
     }
+
+    /// What its nodes need of each other.
+    ///
+    /// # Errors
+    /// What is marched by one alone, in words.
+    fn reach(&self) -> Result<Reach<'_>, &'static str>;
+
+    /// Brings all that is read of nodes beside rows and forces to all who march it.
+    fn bring(&mut self, share: &Share);
 }
 
 /// What an evaluation does.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Evaluation {
+#[derive(Clone, Copy)]
+pub(crate) struct Evaluation<'a> {
     /// Whether the stored energy is summed.
     pub energy: bool,
     /// Whether bonds are held against their limits.
     pub watch: bool,
-    /// Threads, at least one.
-    pub threads: usize,
+    /// Whose bonds are swept.
+    pub share: &'a Share,
 }

@@ -5,6 +5,7 @@ pub(crate) mod balance;
 pub(crate) mod breaking;
 pub(crate) mod correction;
 pub(crate) mod couplings;
+mod exchange;
 pub(crate) mod faces;
 pub(crate) mod families;
 mod fitted;

@@ -1,8 +1,11 @@
 //! Four bonds at the present: how far they reach, and the dilatations that follow from their extensions.
 
+use std::ops::Range;
+
 use lanes::{Lanes, Reals, Sweep, Vector, widest};
 
 use super::network::{LANES, Network, Row};
+use crate::share::Share;
 
 /// Least square of a present length \[L²\]: a bond that has collapsed pulls nowhere.
 const COLLAPSED: f64 = 1e-200;
@@ -85,23 +88,24 @@ impl Sweep for Dilate<'_> {
 }
 
 impl Network {
-    /// Puts `(λ − μ) V θ` of all nodes into the last places of their rows.
-    pub(super) fn dilate(&self, rows: &mut [Row], out: &mut [f64], threads: usize) {
-        let at: &[Row] = rows;
-        parallel::chunks(threads, &mut *out, |first, out| {
-            widest(Dilate { network: self, rows: at, first, out })
-        });
-        keep(rows, out, threads);
-        if let Some(images) = &self.images {
-            images.carry(rows);
-        }
+    /// Puts `(λ − μ) V θ` of own nodes into the last places of their rows, once places of ghosts are there.
+    pub(super) fn dilate(&self, rows: &mut [Row], out: &mut [f64], share: &Share) {
+        let mut find = |rows: &[Row], nodes: Range<usize>| {
+            share.sweep(nodes.start, &mut out[nodes], |first, out: &mut [f64]| {
+                widest(Dilate { network: self, rows, first, out })
+            });
+        };
+        find(rows, share.inner());
+        self.take_places(rows, share);
+        share.outer(self.len()).into_iter().for_each(|nodes| find(rows, nodes));
+        keep(rows, out, share);
     }
 }
 
-/// Puts a number of each node into the last place of its row.
-pub(super) fn keep(rows: &mut [Row], values: &[f64], threads: usize) {
-    let count = values.len();
-    parallel::chunks(threads, &mut rows[..count], |first, rows: &mut [Row]| {
+/// Puts a number of each own node into the last place of its row.
+pub(super) fn keep(rows: &mut [Row], values: &[f64], share: &Share) {
+    let own = share.own(values.len());
+    share.sweep(own.start, &mut rows[own], |first, rows: &mut [Row]| {
         rows.iter_mut().zip(&values[first..]).for_each(|(row, value)| row[3] = *value);
     });
 }

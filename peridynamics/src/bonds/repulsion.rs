@@ -21,6 +21,7 @@ use super::network::{Network, Row};
 use crate::contact::Contact;
 use crate::error::SolidError;
 use crate::material::{Elastic, Moduli};
+use crate::share::Share;
 
 /// How far beyond contact pairs are listed, over the distance of contact: a wide list is made anew less often.
 const SKIN: f64 = 0.5;
@@ -50,7 +51,7 @@ pub(crate) struct Touching<'a> {
     pub network: &'a Network,
     pub bonds: &'a Whole,
     pub rows: &'a [Row],
-    pub threads: usize,
+    pub share: &'a Share,
 }
 
 impl Repulsion {
@@ -134,7 +135,7 @@ impl Repulsion {
             energy.iter_mut().for_each(|energy| *energy = sum);
         };
         let nodes = &mut forces[..self.volumes.len()];
-        parallel::chunks(body.threads, (nodes, ByChunk(&mut energies)), one);
+        parallel::chunks(body.share.threads(), (nodes, ByChunk(&mut energies)), one);
         self.energies = energies;
         self.energies.iter().sum()
     }

@@ -20,6 +20,7 @@ use crate::fracture::Breakage;
 use crate::material::Elastic;
 use crate::mirror::Mirror;
 use crate::plastic::Plastic;
+use crate::share::{Reach, Share};
 use crate::unknowns::Unknowns;
 use implicit_statics::BlockPattern;
 use nalgebra::Matrix3;
@@ -123,44 +124,48 @@ fn longer<'a>(long: &'a mut [Row], rows: &'a mut [Row]) -> &'a mut [Row] {
 }
 
 impl Mechanics for SolidBonds {
-    fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation) -> f64 {
-        let Evaluation { energy, watch, threads } = wanted;
+    fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation<'_>) -> f64 {
+        let Evaluation { energy, watch, share } = wanted;
         let limit = self.breaking.as_ref().and_then(|breaking| breaking.watch.as_ref()).filter(|_| watch);
-        let wanted = Wanted { energy, watch: limit, threads };
+        let wanted = Wanted { energy, watch: limit, share };
         let rows = longer(&mut self.long[0], rows);
         let mut stored = self.network.evaluate(rows, forces, &mut self.scratch, wanted);
         let Some(breaking) = &mut self.breaking else { return stored };
         if let Some(works) = breaking.works.as_mut().filter(|_| watch) {
-            works.add(&self.network, rows, threads);
+            works.add(&self.network, rows, share);
         }
         if let Some(contact) = &mut self.contact {
-            let body = Touching { network: &self.network, bonds: &breaking.bonds, rows, threads };
+            let body = Touching { network: &self.network, bonds: &breaking.bonds, rows, share };
             stored += contact.add(&body, forces);
         }
         stored
     }
 
-    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], threads: usize) {
+    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], share: &Share) {
         let [long, moved] = &mut self.long;
-        self.network.tangent(longer(long, rows), longer(moved, along), out, &mut self.scratch, threads);
+        self.network.tangent(longer(long, rows), longer(moved, along), out, &mut self.scratch, share);
     }
 
-    fn noted(&self) -> bool {
-        self.breaking.as_ref().is_some_and(|breaking| breaking.noted(&self.scratch).next().is_some())
+    fn breaks(&self) -> bool {
+        self.breaking.as_ref().is_some_and(Breaking::is_watched)
     }
 
-    fn break_bonds(&mut self, rows: &[Row]) -> f64 {
+    fn noted(&self, share: &Share) -> bool {
+        self.breaking.as_ref().is_some_and(|breaking| breaking.noted(&self.scratch, share).next().is_some())
+    }
+
+    fn break_bonds(&mut self, rows: &[Row], share: &Share) -> f64 {
         let Some(breaking) = &mut self.breaking else { return 0.0 };
-        breaking.break_noted(&mut self.network, &self.scratch, rows, self.contact.as_ref())
+        breaking.break_noted(&mut self.network, &self.scratch, rows, self.contact.as_ref(), share)
     }
 
     fn utilisation(&self, rows: &[Row]) -> f64 {
         self.breaking.as_ref().map_or(0.0, |breaking| breaking.utilisation(&self.network, rows))
     }
 
-    fn break_from(&mut self, least: f64, share: f64, rows: &[Row]) -> f64 {
+    fn break_from(&mut self, least: f64, counted: f64, rows: &[Row], share: &Share) -> f64 {
         let Some(breaking) = &mut self.breaking else { return 0.0 };
-        breaking.break_from(&mut self.network, (least, share), rows, self.contact.as_ref())
+        breaking.break_from(&mut self.network, (least, counted), rows, self.contact.as_ref(), share)
     }
 
     fn couplings(&self) -> BlockPattern {
@@ -240,9 +245,9 @@ impl Mechanics for SolidBonds {
         self.network.flow.is_some()
     }
 
-    fn keep_flow(&mut self, rows: &[Row], threads: usize) -> f64 {
+    fn keep_flow(&mut self, rows: &[Row], share: &Share) -> f64 {
         let rows = if self.long[0].is_empty() { rows } else { &self.long[0] };
-        self.network.keep_flow(rows, threads)
+        self.network.keep_flow(rows, share)
     }
 
     fn past(&self, node: usize) -> Option<Past> {
@@ -258,5 +263,25 @@ impl Mechanics for SolidBonds {
             Some(flow) => flow.take_up(flowed),
             None => flowed.iter().all(|array| array.is_empty()),
         }
+    }
+
+    fn reach(&self) -> Result<Reach<'_>, &'static str> {
+        if self.contact.is_some() {
+            return Err("a solid whose fragments may touch");
+        }
+        let network = &self.network;
+        Ok(Reach {
+            ends: Box::new(|node, ends| network.ends(node, ends)),
+            in_turn: network.images.is_none(),
+            found: network.found(),
+        })
+    }
+
+    fn bring(&mut self, share: &Share) {
+        if let Some(breaking) = &mut self.breaking {
+            breaking.bring(&mut self.network, share);
+        }
+        self.network.bring_flow(share);
+        self.network.bring_evaluated(&mut self.long[0], share);
     }
 }

@@ -1,9 +1,12 @@
 //! The work done on bonds, `∫ f de` along the way of each: what breaks bonds of a state-based body by their energy. What a bond that
 //! yields took for that is part of it.
 
+use std::ops::Range;
+
 use parallel::{ByChunk, CHUNK};
 
 use super::network::{LANES, Network, Row};
+use crate::share::Share;
 
 /// The work on each bond up to the present, by chunks of nodes.
 #[derive(Clone, Debug)]
@@ -54,8 +57,8 @@ impl Works {
         Self { lanes, chunks: (0..network.len().div_ceil(CHUNK)).map(chunk).collect() }
     }
 
-    /// Adds the work from the last evaluation to this one, and notes the stretched bonds beyond their limit.
-    pub fn add(&mut self, network: &Network, rows: &[Row], threads: usize) {
+    /// Adds the work from the last evaluation to this one on bonds of own nodes, and notes the stretched ones beyond their limit.
+    pub fn add(&mut self, network: &Network, rows: &[Row], share: &Share) {
         let lanes = &self.lanes;
         let one = |first: usize, ByChunk(own): ByChunk<'_, Chunk>| {
             let Some(chunk) = own.first_mut() else { return };
@@ -76,7 +79,8 @@ impl Works {
                 }
             }
         };
-        parallel::chunks(threads, ByChunk(&mut self.chunks), one);
+        let chunks = share.chunks_of(network.len());
+        share.sweep(chunks.start * CHUNK, ByChunk(&mut self.chunks[chunks]), one);
     }
 
     /// `√(work/limit)` of a stretched bond were the work added up to these rows, zero of others; nothing is added.
@@ -88,9 +92,9 @@ impl Works {
         if extension > 0.0 { (done.max(0.0) / worked.limit).sqrt() } else { 0.0 }
     }
 
-    /// Lanes of bonds that went beyond their limit in the last evaluation, ascending.
-    pub fn beyond(&self) -> impl Iterator<Item = u32> {
-        self.chunks.iter().flat_map(|chunk| chunk.beyond.iter().copied())
+    /// Lanes of bonds in these chunks that went beyond their limit in the last evaluation, ascending.
+    pub fn beyond(&self, own: Range<usize>) -> impl Iterator<Item = u32> {
+        self.chunks[own].iter().flat_map(|chunk| chunk.beyond.iter().copied())
     }
 
     /// Work, pull and extension of each lane, one behind the other.
@@ -110,6 +114,13 @@ impl Works {
         for (bond, numbers) in bonds.zip(state.chunks_exact(3)) {
             [bond.done, bond.pull, bond.extension] = [numbers[0], numbers[1], numbers[2]];
         }
+    }
+
+    /// Brings the work on all bonds to all.
+    pub fn bring(&mut self, network: &Network, share: &Share) {
+        let mut state = self.state();
+        share.bring_lists(&network.starts, &mut state, 3 * LANES);
+        self.take_up(&state);
     }
 
     /// Memory \[bytes\].

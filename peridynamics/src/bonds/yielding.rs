@@ -1,5 +1,7 @@
 //! The sweeps over families that yield: what flows in a state, and what is kept of it once a step.
 
+use std::ops::Range;
+
 use lanes::{Lanes, Reals, Sweep, widest};
 use parallel::Lists;
 
@@ -7,6 +9,7 @@ use super::flow::{Flow, Kept, Past, Surface};
 use super::network::{Network, Pack, Row};
 use super::present::{Own, Present, keep};
 use crate::plastic::Plastic;
+use crate::share::Share;
 
 /// Dilatations `(λ − μ) V θ` of one chunk of nodes, and how they flow.
 struct Try<'a> {
@@ -125,39 +128,40 @@ impl Sweep for Keep<'_> {
 }
 
 impl Network {
-    /// Puts `(λ − μ) V θ` of all nodes into the last places of their rows, and finds what flows; nothing is kept.
-    pub(super) fn try_flow(&self, flow: &mut Flow, rows: &mut [Row], out: &mut [f64], threads: usize) {
-        let at: &[Row] = rows;
+    /// Puts `(λ − μ) V θ` of own nodes into the last places of their rows, once places of ghosts are there, and finds what flows;
+    /// nothing is kept.
+    pub(super) fn try_flow(&self, flow: &mut Flow, rows: &mut [Row], out: &mut [f64], share: &Share) {
         let Flow { plastic, surfaces, own, round, past, trial, coming, .. } = flow;
-        let (nodes, images) = trial.split_at_mut(self.len());
         let kept = Tried { plastic, surfaces, own, round, past };
         type Parts<'a> = (&'a mut [f64], (&'a mut [[f64; 2]], &'a mut [Past]));
-        let lists = (&mut *out, (&mut *nodes, &mut coming[..]));
-        parallel::chunks(threads, lists, |first, (dilatations, (trial, coming)): Parts<'_>| {
-            widest(Try { network: self, flow: kept, rows: at, first, dilatations, trial, coming });
-        });
-        flow.flows = flow.coming.iter().any(|past| past.strain > 0.0);
-        keep(rows, out, threads);
-        if let Some(all) = &self.images {
-            all.carry(rows);
-            let first = nodes.len();
-            images.iter_mut().enumerate().for_each(|(k, image)| *image = nodes[all.source(first + k)]);
-        }
+        let mut find = |rows: &[Row], nodes: Range<usize>| {
+            let first = nodes.start;
+            let lists = (&mut out[nodes.clone()], (&mut trial[nodes.clone()], &mut coming[nodes]));
+            share.sweep(first, lists, |first, (dilatations, (trial, coming)): Parts<'_>| {
+                widest(Try { network: self, flow: kept, rows, first, dilatations, trial, coming });
+            });
+        };
+        find(rows, share.inner());
+        self.take_places(rows, share);
+        share.outer(self.len()).into_iter().for_each(|nodes| find(rows, nodes));
+        flow.flows = flow.coming[share.own(self.len())].iter().any(|past| past.strain > 0.0);
+        keep(rows, out, share);
     }
 
-    /// Keeps what flowed in the rows last evaluated, behind those of the nodes the images; returns the plastic work \[F L\].
-    pub fn keep_flow(&mut self, rows: &[Row], threads: usize) -> f64 {
-        if !self.flow.as_ref().is_some_and(|flow| flow.flows) {
-            return 0.0;
-        }
-        let Some(mut flow) = self.flow.take() else { return 0.0 };
+    /// Keeps what flowed in the rows last evaluated, behind those of the nodes the images; returns the plastic work of all \[F L\].
+    pub fn keep_flow(&mut self, rows: &[Row], share: &Share) -> f64 {
+        let nodes = share.own(self.len());
+        let Some(mut flow) = self.flow.take_if(|flow| share.any(flow.flows)) else { return 0.0 };
         let network = &*self;
         let Kept { ends: [(own, here), (twin, there)], past, trial, coming, works } = flow.kept();
         let round = [here, there];
-        let by_node = |packs| ByNode { starts: &network.starts, packs };
-        let lists = ((by_node(own), by_node(twin)), past);
+        let starts = &network.starts[nodes.start..=nodes.end];
+        let packs = starts[0] as usize..starts[nodes.len()] as usize;
+        let by_node = |packs| ByNode { starts, packs };
+        let lists = ((by_node(&mut own[packs.clone()]), by_node(&mut twin[packs])), &mut past[nodes.clone()]);
         type Parts<'a> = ((ByNode<'a>, ByNode<'a>), &'a mut [Past]);
-        parallel::reduced(threads, lists, works, |first, ((own, twin), past): Parts<'_>| {
+        parallel::reduced(share.threads(), lists, works, |first, ((own, twin), past): Parts<'_>| {
+            let first = nodes.start + first;
             widest(Keep { network, trial, rows, first, own, twin, round });
             let mut work = 0.0;
             for (past, coming) in past.iter_mut().zip(&coming[first..]) {
@@ -167,7 +171,7 @@ impl Network {
             }
             work
         });
-        let work = works.iter().sum();
+        let [work] = share.sum(works.iter().map(|work| [*work]));
         flow.forget();
         self.flow = Some(flow);
         work

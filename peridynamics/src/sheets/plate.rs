@@ -26,6 +26,7 @@ use crate::fracture::Breakage;
 use crate::material::{Elastic, Moduli, Space};
 use crate::mirror::Mirror;
 use crate::parts::Sheets;
+use crate::share::{Reach, Share};
 use crate::sheets::columns::Columns;
 use crate::sheets::rest_shape::{directors, plan};
 use crate::sheets::shear::Shear;
@@ -139,30 +140,35 @@ fn sound(
 }
 
 impl Mechanics for Plate {
-    fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation) -> f64 {
+    fn evaluate(&mut self, rows: &mut [Row], forces: &mut [Row], wanted: Evaluation<'_>) -> f64 {
         let [upper, lower] = &mut self.sheets;
         let z = self.columns.height;
         let stored = upper.evaluate(rows, z, wanted) + lower.evaluate(rows, -z, wanted);
         let long = self.columns.extended(rows, true);
-        let of_columns = self.columns.gather(&long, [&upper.forces, &lower.forces], forces, wanted.threads);
+        let of_columns =
+            self.columns.gather(&long, [&upper.forces, &lower.forces], forces, wanted.share.threads());
         if wanted.energy { stored + of_columns } else { 0.0 }
     }
 
-    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], threads: usize) {
+    fn tangent(&mut self, rows: &mut [Row], along: &mut [Row], out: &mut [Row], share: &Share) {
         let [upper, lower] = &mut self.sheets;
         let z = self.columns.height;
-        upper.tangent(rows, along, z, threads);
-        lower.tangent(rows, along, -z, threads);
+        upper.tangent(rows, along, z, share);
+        lower.tangent(rows, along, -z, share);
         let (rows, along) = (self.columns.extended(rows, true), self.columns.extended(along, false));
         self.columns.gather_tangent(&rows, &along, [&upper.forces, &lower.forces], out);
     }
 
-    fn noted(&self) -> bool {
-        self.sheets.iter().any(Sheet::noted)
+    fn breaks(&self) -> bool {
+        self.sheets.iter().any(Sheet::breaks)
     }
 
-    fn break_bonds(&mut self, rows: &[Row]) -> f64 {
-        self.break_noted(rows)
+    fn noted(&self, share: &Share) -> bool {
+        self.sheets.iter().any(|sheet| sheet.noted(share))
+    }
+
+    fn break_bonds(&mut self, rows: &[Row], share: &Share) -> f64 {
+        self.break_noted(rows, share)
     }
 
     fn utilisation(&self, _rows: &[Row]) -> f64 {
@@ -170,10 +176,10 @@ impl Mechanics for Plate {
         upper.max(lower)
     }
 
-    fn break_from(&mut self, least: f64, share: f64, rows: &[Row]) -> f64 {
-        let lost: f64 = self.sheets.iter_mut().map(|sheet| sheet.break_from(least, share)).sum();
+    fn break_from(&mut self, least: f64, counted: f64, rows: &[Row], share: &Share) -> f64 {
+        let lost: f64 = self.sheets.iter_mut().map(|sheet| sheet.break_from(least, counted, share)).sum();
         let rows = self.columns.extended(rows, true);
-        lost + self.slacken(Some((&rows, share)))
+        lost + self.slacken(Some((&rows, counted)))
     }
 
     fn couplings(&self) -> BlockPattern {
@@ -248,17 +254,23 @@ impl Mechanics for Plate {
     fn take_up(&mut self, broken: [&[f64]; 3]) -> bool {
         self.take_up_broken(broken)
     }
+
+    fn reach(&self) -> Result<Reach<'_>, &'static str> {
+        Err("a plate of two sheets")
+    }
+
+    fn bring(&mut self, _: &Share) {}
 }
 
 impl Plate {
     /// Breaks the bonds noted in the last evaluation; returns the energy that the plate loses at these rows \[F L\].
-    pub fn break_noted(&mut self, rows: &[Row]) -> f64 {
+    pub fn break_noted(&mut self, rows: &[Row], share: &Share) -> f64 {
         let z = self.columns.height;
         let [upper, lower] = &mut self.sheets;
-        if !(upper.noted() || lower.noted()) {
+        if !(upper.noted(share) || lower.noted(share)) {
             return 0.0;
         }
-        let lost = upper.break_noted(rows, z) + lower.break_noted(rows, -z);
+        let lost = upper.break_noted(rows, z, share) + lower.break_noted(rows, -z, share);
         let rows = self.columns.extended(rows, true);
         lost + self.slacken(Some((&rows, 1.0)))
     }

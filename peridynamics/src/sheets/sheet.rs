@@ -12,6 +12,7 @@ use crate::bonds::network::{Network, Row};
 use crate::error::SolidError;
 use crate::fracture::{Breakage, Crack};
 use crate::material::Moduli;
+use crate::share::Share;
 
 /// A sheet with its points at the present.
 pub(crate) struct Sheet {
@@ -74,39 +75,44 @@ impl Cloth<'_> {
 
 impl Sheet {
     /// Puts its points at `x + z d` and finds the forces on them; returns the stored energy \[F L\], zero unless wanted.
-    pub fn evaluate(&mut self, rows: &[Row], z: f64, wanted: Evaluation) -> f64 {
-        let Evaluation { energy, watch, threads } = wanted;
+    pub fn evaluate(&mut self, rows: &[Row], z: f64, wanted: Evaluation<'_>) -> f64 {
+        let Evaluation { energy, watch, share } = wanted;
         put(&mut self.points, rows, z);
         let limit = self.breaking.as_ref().and_then(|breaking| breaking.watch.as_ref()).filter(|_| watch);
-        let wanted = Wanted { energy, watch: limit, threads };
+        let wanted = Wanted { energy, watch: limit, share };
         let stored = self.network.evaluate(&mut self.points, &mut self.forces, &mut self.scratch, wanted);
         if let Some(works) =
             self.breaking.as_mut().and_then(|breaking| breaking.works.as_mut()).filter(|_| watch)
         {
-            works.add(&self.network, &self.points, threads);
+            works.add(&self.network, &self.points, share);
         }
         stored
     }
 
     /// Second derivatives at the points of `rows` times the motions of `along`, into the forces.
-    pub fn tangent(&mut self, rows: &[Row], along: &[Row], z: f64, threads: usize) {
+    pub fn tangent(&mut self, rows: &[Row], along: &[Row], z: f64, share: &Share) {
         put(&mut self.points, rows, z);
         let mut motions = vec![[0.0; 4]; self.points.len()];
         put(&mut motions, along, z);
-        self.network.tangent(&mut self.points, &mut motions, &mut self.forces, &mut self.scratch, threads);
+        self.network.tangent(&mut self.points, &mut motions, &mut self.forces, &mut self.scratch, share);
+    }
+
+    /// Whether bonds may break.
+    pub fn breaks(&self) -> bool {
+        self.breaking.as_ref().is_some_and(Breaking::is_watched)
     }
 
     /// Whether bonds were beyond their limit in the last evaluation.
-    pub fn noted(&self) -> bool {
-        self.breaking.as_ref().is_some_and(|breaking| breaking.noted(&self.scratch).next().is_some())
+    pub fn noted(&self, share: &Share) -> bool {
+        self.breaking.as_ref().is_some_and(|breaking| breaking.noted(&self.scratch, share).next().is_some())
     }
 
     /// Breaks the bonds noted in the last evaluation; returns the energy that the sheet loses at these rows \[F L\].
-    pub fn break_noted(&mut self, rows: &[Row], z: f64) -> f64 {
+    pub fn break_noted(&mut self, rows: &[Row], z: f64, share: &Share) -> f64 {
         let Some(breaking) = &mut self.breaking else { return 0.0 };
         let mut points = self.points[..self.network.len()].to_vec();
         put(&mut points, rows, z);
-        breaking.break_noted(&mut self.network, &self.scratch, &points, None)
+        breaking.break_noted(&mut self.network, &self.scratch, &points, None, share)
     }
 
     /// How far the bond nearest to its limit is taken in the last evaluation.
@@ -114,11 +120,11 @@ impl Sheet {
         self.breaking.as_ref().map_or(0.0, |breaking| breaking.utilisation(&self.network, &self.points))
     }
 
-    /// Breaks the bonds taken so far or further in the last evaluation; counts a share of the energy that the sheet loses, and
+    /// Breaks the bonds taken so far or further in the last evaluation; counts a part of the energy that the sheet loses, and
     /// returns it \[F L\].
-    pub fn break_from(&mut self, least: f64, share: f64) -> f64 {
+    pub fn break_from(&mut self, least: f64, counted: f64, share: &Share) -> f64 {
         let Some(breaking) = &mut self.breaking else { return 0.0 };
-        breaking.break_from(&mut self.network, (least, share), &self.points, None)
+        breaking.break_from(&mut self.network, (least, counted), &self.points, None, share)
     }
 
     /// Whether the bond on a lane is whole.

@@ -89,7 +89,12 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         let mut blocks = vec![[[0.0; 3]; 3]; self.couplings().blocks()];
         let solid = &*self.solid;
         let pattern = self.couplings();
-        solid.mechanics.second_derivatives((&solid.rows, stressed), pattern, &mut blocks, solid.threads);
+        solid.mechanics.second_derivatives(
+            (&solid.rows, stressed),
+            pattern,
+            &mut blocks,
+            solid.share.threads(),
+        );
         blocks
     }
 

@@ -59,30 +59,26 @@ impl Kick<'_> {
 }
 
 impl Solid {
-    /// The kick, and with `DRIFT` the drift behind it.
+    /// The kick of own rows, and with `DRIFT` the drift behind it; returns the work of all.
     pub(super) fn pass<const DRIFT: bool>(&mut self, step: &Step) -> Work {
-        let Self { rates, rows, masses, internal, external, constraints, works, .. } = self;
+        let Self { rates, rows, masses, internal, external, constraints, works, share, .. } = self;
         let kick = Kick { step, masses, internal, external, constraints };
-        let count = rates.len();
-        let rows = (&mut rates[..], &mut rows[..count]);
-        parallel::reduced(self.threads, rows, works, |first, (rates, rows)| {
-            kick.chunk::<DRIFT>(first, rates, rows)
+        let own = share.own(rates.len());
+        let lists = (&mut rates[own.clone()], &mut rows[own.clone()]);
+        parallel::reduced(share.threads(), lists, works, |first, (rates, rows)| {
+            kick.chunk::<DRIFT>(own.start + first, rates, rows)
         });
-        let mut work = self.works.iter().fold(Work::default(), |sum, chunk| Work {
-            kinetic: sum.kinetic + chunk.kinetic,
-            external: sum.external + chunk.external,
-            change: sum.change + chunk.change,
-            resisted: sum.resisted + chunk.resisted,
-            ..sum
-        });
-        work.dissipated = 2.0 * step.kick * step.damping * work.kinetic;
-        work
+        let of = |work: &Work| [work.kinetic, work.external, work.change, work.resisted];
+        let [kinetic, external, change, resisted] = share.sum(works.iter().map(of));
+        let dissipated = 2.0 * step.kick * step.damping * kinetic;
+        Work { kinetic, external, dissipated, change, resisted }
     }
 
-    /// The drift alone.
+    /// The drift of own rows alone.
     pub(super) fn drift_rows(&mut self, dt: f64) {
-        let rates = &self.rates;
-        parallel::chunks(self.threads, &mut self.rows[..rates.len()], |first, rows: &mut [Row]| {
+        let Self { rates, rows, share, .. } = self;
+        let own = share.own(rates.len());
+        share.sweep(own.start, &mut rows[own], |first, rows: &mut [Row]| {
             for (place, rate) in rows.iter_mut().zip(&rates[first..]) {
                 (0..3).for_each(|k| place[k] += dt * rate[k]);
             }

@@ -5,11 +5,11 @@ use explicit_dynamics::{
     BoundaryLayout, BoundaryLoad, BoundaryState, Bounds, Dynamics, Instant, LinearisedDynamics, MarchError,
     MassScaled, OutOfBounds, StableStep, Step, Wetted, Work, lanczos_step,
 };
+use parallel::CHUNK;
 use sph_core::Vec3;
 
 use crate::Solid;
 use crate::bonds::mechanics::Evaluation;
-use crate::bonds::network::Row;
 use crate::error::SolidError;
 use crate::solid::vector;
 use crate::wetted::Surface;
@@ -17,21 +17,16 @@ use crate::wetted::Surface;
 impl Dynamics for Solid {
     /// Bonds break once a step, after the forces of this step were found with them.
     fn evaluate(&mut self, at: Instant) -> f64 {
-        let wanted = Evaluation { energy: true, watch: true, threads: self.threads };
+        let wanted = Evaluation { energy: true, watch: true, share: &self.share };
         self.internal_energy = self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
         self.evaluate_external(at);
         self.internal_energy
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        let plastic = self.keep_flow(step);
-        let mut work = self.pass::<false>(step);
-        work.dissipated += plastic;
         // A kick of no span shows a state: what breaks in it is counted by the kick that follows.
-        if step.kick > 0.0 && self.mechanics.noted() {
-            work.dissipated += self.break_noted(0.5 * step.drift());
-        }
-        work
+        let breaks = step.kick > 0.0 && self.noted();
+        self.kick_in(step, breaks)
     }
 
     fn drift(&mut self, step: &Step) {
@@ -39,11 +34,11 @@ impl Dynamics for Solid {
     }
 
     fn advance(&mut self, step: &Step) -> Work {
-        let wanted = Evaluation { energy: false, watch: true, threads: self.threads };
+        let wanted = Evaluation { energy: false, watch: true, share: &self.share };
         self.mechanics.evaluate(&mut self.rows, &mut self.internal, wanted);
         self.evaluate_external(step.from);
-        if self.mechanics.noted() {
-            let work = self.kick(step);
+        if self.noted() {
+            let work = self.kick_in(step, step.kick > 0.0);
             self.drift(step);
             return work;
         }
@@ -68,13 +63,9 @@ impl Dynamics for Solid {
         if bounds == Bounds::Configuration {
             return Ok(());
         }
-        let speed = |row: usize| {
-            let square = vector(&self.rates[row]).norm_squared();
-            if square.is_nan() { f64::INFINITY } else { square }
-        };
-        let (particle, square) = (0..self.len())
-            .map(|node| (node, speed(node)))
-            .fold((0, 0.0), |best, next| if next.1 > best.1 { next } else { best });
+        let own = self.share.own(self.len());
+        let (square, particle) =
+            self.share.greatest(own.map(|node| (vector(&self.rates[node]).norm_squared(), node)));
         let (speed, bound) = (square.sqrt(), self.sound_speed);
         if speed <= bound { Ok(()) } else { Err(OutOfBounds::Speed { particle, speed, bound }) }
     }
@@ -89,9 +80,25 @@ impl Dynamics for Solid {
 }
 
 impl Solid {
+    /// Whether bonds were beyond their limit in the last evaluation, of anyone who marches it.
+    fn noted(&self) -> bool {
+        self.mechanics.breaks() && self.share.any(self.mechanics.noted(&self.share))
+    }
+
+    /// A kick in which the bonds noted break, or none is noted.
+    fn kick_in(&mut self, step: &Step, breaks: bool) -> Work {
+        let plastic = self.keep_flow(step);
+        let mut work = self.pass::<false>(step);
+        work.dissipated += plastic;
+        if breaks {
+            work.dissipated += self.break_noted(0.5 * step.drift());
+        }
+        work
+    }
+
     /// Keeps what flowed in the last evaluation, once a step: a kick of no span shows a state. Returns the plastic work \[F L\].
     fn keep_flow(&mut self, step: &Step) -> f64 {
-        if step.kick > 0.0 { self.mechanics.keep_flow(&self.rows, self.threads) } else { 0.0 }
+        if step.kick > 0.0 { self.mechanics.keep_flow(&self.rows, &self.share) } else { 0.0 }
     }
 
     /// Breaks the bonds noted in the last evaluation; returns the energy they hold after so much time \[F L\].
@@ -99,10 +106,13 @@ impl Solid {
     /// A kick has their pull up to the middle of the step, so that their energy is that of there: with it the balance of
     /// central differences closes to second order in the step.
     fn break_noted(&mut self, after: f64) -> f64 {
-        let at = |(x, v): (&Row, &Row)| -> Row { std::array::from_fn(|k| x[k] + after * v[k]) };
-        self.breaking.clear();
-        self.breaking.extend(self.rows.iter().zip(&self.rates).map(at));
-        self.mechanics.break_bonds(&self.breaking)
+        let Self { rows, rates, breaking, mechanics, share, .. } = self;
+        breaking.resize(rows.len(), [0.0; 4]);
+        for row in share.own(rows.len()) {
+            breaking[row] = std::array::from_fn(|k| rows[row][k] + after * rates[row][k]);
+        }
+        share.exchange_places(breaking);
+        mechanics.break_bonds(breaking, share)
     }
 
     /// The vector without what supports of a row hold.
@@ -118,12 +128,19 @@ impl LinearisedDynamics for Solid {
 
     fn apply(&mut self, v: &[f64], out: &mut [f64]) {
         let scaled = |row: usize| self.scaled(row, Vec3::new(v[3 * row], v[3 * row + 1], v[3 * row + 2]));
-        let mut along: Vec<Row> = (0..self.rows.len()).map(|row| scaled(row).push(0.0).into()).collect();
-        self.mechanics.tangent(&mut self.rows, &mut along, &mut self.internal, self.threads);
-        for (row, out) in out.chunks_exact_mut(3).enumerate() {
+        let own = self.share.own(self.rows.len());
+        let mut along = vec![[0.0; 4]; self.rows.len()];
+        own.clone().for_each(|row| along[row] = scaled(row).push(0.0).into());
+        self.mechanics.tangent(&mut self.rows, &mut along, &mut self.internal, &self.share);
+        out.fill(0.0);
+        for row in own {
             let scaled = self.scaled(row, vector(&self.internal[row]));
-            out.copy_from_slice(scaled.as_slice());
+            out[3 * row..3 * row + 3].copy_from_slice(scaled.as_slice());
         }
+    }
+
+    fn dot(&mut self, a: &[f64], b: &[f64]) -> f64 {
+        self.share.dot(a, b, 3)
     }
 }
 
@@ -146,7 +163,10 @@ impl MassScaled for Solid {
     fn displaced(&self) -> f64 {
         let square =
             |row: usize| self.masses[row] * (vector(&self.rows[row]) - self.rest[row]).norm_squared();
-        (0..self.rows.len()).map(square).sum::<f64>().sqrt()
+        let own = self.share.own(self.rows.len());
+        let chunks = own.clone().step_by(CHUNK).map(|first| first..(first + CHUNK).min(own.end));
+        let [sum] = self.share.sum(chunks.map(|chunk| [chunk.map(square).sum::<f64>()]));
+        sum.sqrt()
     }
 }
 
@@ -165,10 +185,13 @@ impl Solid {
     /// fluid. In a plane forces per depth act on its thickness.
     ///
     /// # Errors
-    /// [`SolidError::WetSheets`] for a plate of two sheets.
+    /// [`SolidError::WetSheets`] for a plate of two sheets, [`SolidError::NotShared`] for a solid that several march.
     pub fn wet(&mut self) -> Result<(), SolidError> {
         if self.rest.len() > self.block.len() {
             return Err(SolidError::WetSheets);
+        }
+        if self.share.is_shared() {
+            return Err(SolidError::NotShared("a solid in a fluid"));
         }
         if self.external.is_empty() {
             self.external = vec![Vec3::zeros(); self.rest.len()];

@@ -198,7 +198,7 @@ fn solid_refusal(scene: &BodyInScene<'_>, wanted: &SolidScene, error: &SolidErro
         SolidError::Limit { .. } => of_body("fracture"),
         SolidError::Yielding(_) => of_body("material.plastic"),
         SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
-        SolidError::NotThin | SolidError::WetSheets => of_body(&formulation),
+        SolidError::NotThin | SolidError::WetSheets | SolidError::NotShared(_) => of_body(&formulation),
         SolidError::SheetContact | SolidError::MirroredContact => of_body("contact"),
         SolidError::Mirror { .. } => "supports".into(),
     };
