@@ -80,6 +80,7 @@
 //! | cells beside each other and single precision hold all neighbours; chunks are the same for any threads | src/cells.rs, crate `parallel` |
 #![warn(missing_docs)]
 
+mod books;
 mod boundary;
 mod cells;
 mod continuity;
@@ -99,8 +100,11 @@ mod neighbours;
 mod overlap;
 mod pair;
 mod parts;
+mod share;
+mod sharing;
 mod sorted;
 mod start;
+mod state;
 mod sweeps;
 mod time;
 mod transport;
