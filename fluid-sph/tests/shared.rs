@@ -6,10 +6,11 @@ mod common;
 
 use std::borrow::Cow;
 
-use common::{disorder, pool};
+use common::{disorder, lattice, pool};
 use explicit_dynamics::{Amplitude, Bounds, Clock, Dynamics, Instant, Step};
 use fluid_sph::{
-    Fluid, FluidError, Formulation, Motion, Parts, Rotation, Scheme, Section, Start, Structure, WallRule,
+    Fluid, FluidError, Formulation, Motion, Parts, Rotation, Scheme, Section, Start, Structure, Wall,
+    WallRule,
 };
 use peers::{Peers, together};
 use sph_core::Vec3;
@@ -68,6 +69,29 @@ fn blocks(dimensions: usize, seed: usize, lost: bool) -> Parts {
     if lost {
         parts.positions.push(Vec3::new(-3.0, 40.0, 0.0));
         parts.velocities.push(Vec3::new(-5.0, 8.0, 0.0));
+    }
+    parts
+}
+
+/// Two streams past each other at so much of the speed of sound, so long that each who marches them knows a small part; between walls of
+/// which one runs along, if so.
+fn streams(part: f64, walls: bool) -> Parts {
+    let spacing = 0.02;
+    let mut parts = pool(2, [4.0, 0.2, 0.0], [4.0, 0.2, 0.0], spacing);
+    parts.walls.clear();
+    parts.start = Start::Uniform;
+    parts.gravity = Vec3::zeros();
+    disorder(&mut parts, 0.1, 0.1);
+    let sound = parts.liquid.sound_speed;
+    for (position, velocity) in parts.positions.iter().zip(&mut parts.velocities) {
+        velocity.x += part * if position.y > 0.1 { sound } else { -sound };
+    }
+    if walls {
+        let rows = |y: f64| lattice([-1.0, y, -0.5 * spacing], [300, 3, 1], spacing);
+        let along = (Vec3::x(), Amplitude::Table(vec![[0.0, 0.0], [1.0, -0.2 * sound]]));
+        let motion = Some(Motion { translation: Some(along), rotation: None });
+        parts.walls.push(Wall { points: rows(-3.0 * spacing), motion });
+        parts.walls.push(Wall { points: rows(0.2), motion: None });
     }
     parts
 }
@@ -161,6 +185,14 @@ fn dams_break_the_same_whoever_marches_them() {
     assert!(same("dam in space", &dam(3, 0.05), 200, &[2, 7]) > 100);
     let parts = Parts { threads: 2, ..dam(2, 0.025) };
     assert!(same("dam in a plane, two threads each", &parts, 300, &[3]) > 50);
+}
+
+#[test]
+fn streams_pass_the_same_whoever_marches_them() {
+    assert!(same("streams", &streams(0.2, false), 200, &[4, 7]) > 300);
+    assert!(same("streams between walls", &streams(0.2, true), 200, &[7]) > 300);
+    // Only walls go far.
+    same("still water between walls", &streams(0.0, true), 300, &[7]);
 }
 
 #[test]
