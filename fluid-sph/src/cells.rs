@@ -14,6 +14,8 @@ const CELLS_BESIDE: usize = 4096;
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
     dimensions: usize,
+    /// Whole numbers: which cell of all space the first one is along each axis.
+    first: [f64; 3],
     origin: [f64; 3],
     width: f64,
     inverse: f64,
@@ -36,6 +38,33 @@ impl Ranges {
     }
 }
 
+/// The least box of places \[L\]; what is no number is above nothing and below nothing.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Extent {
+    pub low: [f64; 3],
+    pub high: [f64; 3],
+}
+
+impl Extent {
+    /// That of some places.
+    pub fn of(dimensions: usize, positions: impl Iterator<Item = Vec3>) -> Self {
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for position in positions {
+            let at: [f64; 3] = position.into();
+            for k in 0..dimensions {
+                low[k] = if at[k] < low[k] { at[k] } else { low[k] };
+                high[k] = if at[k] > high[k] { at[k] } else { high[k] };
+            }
+        }
+        Self { low, high }
+    }
+}
+
+/// Cells beyond which the box of so many particles is cut off.
+fn most(particles: usize) -> f64 {
+    (particles * CELLS_A_PARTICLE + CELLS_BESIDE) as f64
+}
+
 impl Grid {
     /// The box around particles and one cell more on every side, of cells so wide \[L\].
     ///
@@ -43,16 +72,12 @@ impl Grid {
     /// for the outermost cells keeps neighbours in cells beside each other.
     pub fn around(dimensions: usize, positions: impl ExactSizeIterator<Item = Vec3>, width: f64) -> Self {
         let count = positions.len();
+        Self::over(dimensions, count, Extent::of(dimensions, positions), width)
+    }
+
+    /// The same for so many particles in a box.
+    pub fn over(dimensions: usize, count: usize, Extent { low, high }: Extent, width: f64) -> Self {
         let inverse = 1.0 / width;
-        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for position in positions {
-            let at: [f64; 3] = position.into();
-            for k in 0..dimensions {
-                // What is no number is above nothing and below nothing.
-                low[k] = if at[k] < low[k] { at[k] } else { low[k] };
-                high[k] = if at[k] > high[k] { at[k] } else { high[k] };
-            }
-        }
         let mut first = [0.0; 3];
         let mut counts = [1.0; 3];
         for k in 0..dimensions {
@@ -64,8 +89,7 @@ impl Grid {
         if cut_off {
             (first, counts) = ([0.0; 3], [1.0; 3]);
         }
-        let most = (count * CELLS_A_PARTICLE + CELLS_BESIDE) as f64;
-        while counts.iter().product::<f64>() > most {
+        while counts.iter().product::<f64>() > most(count) {
             let widest = (0..3).fold(0, |best, k| if counts[k] > counts[best] { k } else { best });
             first[widest] += (0.25 * counts[widest]).floor();
             counts[widest] = (0.5 * counts[widest]).ceil();
@@ -73,6 +97,7 @@ impl Grid {
         }
         Self {
             dimensions,
+            first,
             origin: first.map(|x| x * width),
             width,
             inverse,
@@ -107,6 +132,52 @@ impl Grid {
         cell as u32
     }
 
+    /// The cell of a place, of one beyond the box the nearest.
+    pub fn nearest_cell(&self, at: &[f64; 3]) -> usize {
+        let mut cell = 0;
+        for k in (0..self.dimensions).rev() {
+            // Conversion takes what is below zero and what is no number to zero.
+            let place = ((at[k] - self.origin[k]) * self.inverse) as usize;
+            cell = cell * self.counts[k] + place.min(self.counts[k] - 1);
+        }
+        cell
+    }
+
+    /// The cell where one of another grid of the same width lies, of one beyond the box the nearest.
+    pub fn nearest_cell_to(&self, other: &Self, cell: usize) -> usize {
+        let column = other.column(cell);
+        let place = |k: usize| (column[k] as f64 + other.first[k] - self.first[k]) as usize;
+        (0..self.dimensions).rev().fold(0, |cell, k| cell * self.counts[k] + place(k).min(self.counts[k] - 1))
+    }
+
+    /// Which cell it is along each axis.
+    pub fn column(&self, cell: usize) -> [usize; 3] {
+        let [nx, ny, _] = self.counts;
+        [cell % nx, cell / nx % ny, cell / nx / ny]
+    }
+
+    /// Number of cells along each axis.
+    pub fn counts(&self) -> [usize; 3] {
+        self.counts
+    }
+
+    /// Calls for each cell so many rings about one, itself included.
+    pub fn each_near(&self, cell: usize, rings: usize, mut call: impl FnMut(usize)) {
+        let ([nx, ny, nz], [i, j, k]) = (self.counts, self.column(cell));
+        let about = |at: usize, count: usize| at.saturating_sub(rings)..=(at + rings).min(count - 1);
+        for k in about(k, nz) {
+            for j in about(j, ny) {
+                about(i, nx).for_each(|i| call((k * ny + j) * nx + i));
+            }
+        }
+    }
+
+    /// Whether the box of so many particles is cut off, or may be once each has gone as far as a cell is wide.
+    pub fn may_be_cut_off(&self, particles: usize) -> bool {
+        let wider = (0..self.dimensions).map(|k| (self.counts[k] + 2) as f64).product::<f64>();
+        self.cut_off || wider > most(particles)
+    }
+
     /// A place from the origin of the box on, in single precision. A place beyond cells that were cut off is no number, so that
     /// no distance to it is above any other; one that is no number is at no end of distance.
     #[inline(always)]
@@ -136,8 +207,7 @@ impl Grid {
     /// The sorted particles in a cell and beside it, when those of cell c are `starts[c]..starts[c + 1]`.
     pub fn beside(&self, cell: u32, starts: &[u32]) -> Ranges {
         let [nx, ny, nz] = self.counts;
-        let cell = cell as usize;
-        let (i, j, k) = (cell % nx, cell / nx % ny, cell / nx / ny);
+        let [i, j, k] = self.column(cell as usize);
         let mut found = Ranges::default();
         let (from, to) = (i.saturating_sub(1), (i + 1).min(nx - 1));
         for k in k.saturating_sub(1)..=(k + 1).min(nz - 1) {

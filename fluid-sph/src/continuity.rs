@@ -117,6 +117,9 @@ impl<const D: usize> Sweep for Rates<'_, '_, D> {
         let mut cursor = CellCursor::new(grid, of, first, sets, kernel.reach());
         let mut scratch = Scratch::new();
         for (slot, out) in (first..).zip(out) {
+            if of.is_left(slot) {
+                continue;
+            }
             cursor.go(slot, &mut scratch);
             *out = [0.0; 2];
             if let Some(search) = cursor.own(slot) {

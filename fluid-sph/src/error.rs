@@ -70,6 +70,9 @@ pub enum FluidError {
         /// The length needed.
         expected: usize,
     },
+    /// What one process marches alone.
+    #[error("{0} is marched by one process alone; start it as one, with threads")]
+    NotShared(&'static str),
     /// An axis of no length.
     #[error("the axis of rotation of wall {0} has no length; give a direction")]
     Axis(usize),

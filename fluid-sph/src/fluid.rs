@@ -16,28 +16,13 @@ use crate::liquid::Liquid;
 use crate::momentum::{ForceSum, Momentum, Viscosity};
 use crate::pair::Row;
 use crate::parts::{Parts, Start};
+use crate::share::Share;
 use crate::sorted::Sorted;
 use crate::start;
+use crate::state::State;
 
 /// Width of a cell over the reach of the kernel: particles may go so far before they are sorted anew.
 pub(crate) const CELL: f64 = 1.02;
-
-/// Where the particles are, how fast, how dense; by particle.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct State {
-    pub positions: Vec<Vec3>,
-    pub velocities: Vec<Vec3>,
-    pub densities: Vec<f64>,
-}
-
-impl State {
-    /// The place of a particle after a time \[T\] with its velocity and, where there is any, the drag of its slot.
-    #[inline(always)]
-    pub fn place(&self, i: usize, drags: &[[f64; 3]], slot: usize, ahead: f64) -> Vec3 {
-        let drag = drags.get(slot).map_or_else(Vec3::zeros, |drag| Vec3::from(*drag));
-        self.positions[i] + (self.velocities[i] + drag) * ahead
-    }
-}
 
 /// Bounds of a stable step, before the part of them that is taken \[T\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -62,12 +47,16 @@ pub struct Fluid {
     pub(crate) momentum: Momentum,
     pub(crate) continuity: Continuity,
     pub(crate) rest: Vec<Vec3>,
+    /// Of the particles that it knows: all, unless others march it too.
     pub(crate) present: State,
+    pub(crate) share: Share,
     pub(crate) boundary: Boundary,
     pub(crate) grid: Grid,
     pub(crate) sorted: Sorted,
-    /// By slot: accelerations, rates of density, and what XSPH adds to velocities, by the slots for which it was found.
+    /// By slot: accelerations, powers, rates of density, and what XSPH adds to velocities, by the slots for which it was found.
     pub(crate) accelerations: Vec<[f64; 3]>,
+    /// Power that friction takes a unit of mass \[L²/T³\].
+    pub(crate) powers: Vec<f64>,
     pub(crate) rates: Vec<[f64; 2]>,
     pub(crate) drags: Vec<[f64; 3]>,
     /// By chunk.
@@ -124,10 +113,12 @@ impl Fluid {
             continuity,
             rest: positions.clone(),
             present: State { positions, velocities, densities },
+            share: Share::default(),
             boundary,
             grid: Grid::around(dimensions, std::iter::empty(), 1.0),
             sorted: Sorted::default(),
             accelerations: vec![[0.0; 3]; count],
+            powers: vec![0.0; count],
             rates: vec![[0.0; 2]; count],
             drags: Vec::new(),
             force_sums: Vec::new(),
@@ -195,22 +186,22 @@ impl Fluid {
 
     /// Present places \[L\].
     pub fn positions(&self) -> &[Vec3] {
-        &self.present.positions
+        &self.shown().positions
     }
 
     /// Velocities \[L/T\]: of kick, drift and kick half a step before the places.
     pub fn velocities(&self) -> &[Vec3] {
-        &self.present.velocities
+        &self.shown().velocities
     }
 
     /// Densities \[M/L³\].
     pub fn densities(&self) -> &[f64] {
-        &self.present.densities
+        &self.shown().densities
     }
 
     /// Pressures \[F/L²\].
     pub fn pressures(&self) -> Vec<f64> {
-        self.present.densities.iter().map(|&density| self.liquid.pressure(density)).collect()
+        self.densities().iter().map(|&density| self.liquid.pressure(density)).collect()
     }
 
     /// Number of walls.
@@ -248,7 +239,9 @@ impl Fluid {
 
     /// Bytes held for each particle, boundaries included.
     pub fn bytes_per_particle(&self) -> usize {
-        let by_slot = 24 * (self.accelerations.len() + self.drags.len()) + 16 * self.rates.len();
+        let by_slot = 24 * (self.accelerations.len() + self.drags.len())
+            + 8 * self.powers.len()
+            + 16 * self.rates.len();
         let chunks = size_of::<ForceSum>() * self.force_sums.len() + size_of::<Sums>() * self.sums.len();
         let fluid = (24 + 56) * self.len() + by_slot + chunks;
         (fluid + self.sorted.bytes() + self.boundary.bytes()) / self.len()
@@ -296,7 +289,7 @@ fn put(list: &mut [Vec3], numbers: &[f64]) {
 impl Fluid {
     /// The arrays that change, by name.
     pub fn state(&self) -> Vec<(&'static str, Cow<'_, [f64]>)> {
-        let (present, boundary, ledger) = (&self.present, &self.boundary, &self.ledger);
+        let (present, boundary, ledger) = (self.shown(), &self.boundary, &self.ledger);
         let ledger = vec![
             ledger.viscous,
             ledger.diffusion,
@@ -346,7 +339,8 @@ impl Fluid {
         else {
             return Err(FluidError::State("ledger"));
         };
-        let (present, boundary, own) = (&mut self.present, &mut self.boundary, &mut self.ledger);
+        let Self { present, boundary, ledger: own, share, .. } = self;
+        let present = share.shared_mut().map_or(present, |shared| &mut shared.whole);
         put(&mut present.positions, positions);
         put(&mut present.velocities, velocities);
         present.densities.copy_from_slice(densities);
@@ -368,6 +362,7 @@ impl Fluid {
         }
         boundary.advance = 0.0;
         self.fresh = false;
+        self.deal_out(false);
         Ok(())
     }
 }

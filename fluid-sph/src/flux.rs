@@ -42,7 +42,7 @@ impl Fluid {
     /// velocities of [`Fluid::velocities`].
     pub fn flux(&self, section: &Section, particles: impl Iterator<Item = usize>) -> f64 {
         let volume = self.mass / self.liquid.density;
-        let (positions, velocities) = (&self.present.positions, &self.present.velocities);
+        let (positions, velocities) = (&self.shown().positions, &self.shown().velocities);
         let own = |a: usize| {
             let Some(distance) = section.distance(&positions[a], self.dimensions) else { return 0.0 };
             volume * velocities[a].dot(&section.normal) * spline(distance / self.spacing) / self.spacing

@@ -35,7 +35,7 @@ impl<'a> Column<'a> {
             let way = at - point;
             (way - up * up.dot(&way)).norm_squared()
         };
-        let positions = &fluid.present.positions;
+        let positions = &fluid.shown().positions;
         let particles: Vec<usize> =
             (0..fluid.len()).filter(|&i| across(&positions[i]) < 4.0 * h * h).collect();
         let heights = particles.iter().map(|&i| up.dot(&positions[i]));
@@ -122,14 +122,14 @@ impl Fluid {
     pub fn free_surface(&self) -> Vec<bool> {
         let kernel = self.momentum.kernel;
         let volume = |density: f64| self.mass / density;
-        let positions = &self.present.positions;
+        let positions = &self.shown().positions;
         let near = Nearby::new(self);
         let open = |a: usize| {
             let at = positions[a];
             let mut divergence = 0.0;
             near.each(at, |b| {
                 let square = (at - positions[b]).norm_squared();
-                divergence -= volume(self.present.densities[b]) * kernel.factor(square.sqrt()) * square;
+                divergence -= volume(self.shown().densities[b]) * kernel.factor(square.sqrt()) * square;
             });
             near.each_boundary(at, |b| {
                 let square = (at - self.boundary.points[b]).norm_squared();
@@ -159,10 +159,10 @@ impl Fluid {
         let kernel = self.momentum.kernel;
         let (mut filled, mut weight, mut pressure) = (0.0, 0.0, 0.0);
         for i in particles {
-            let way = at - self.present.positions[i];
+            let way = at - self.shown().positions[i];
             let square = way.norm_squared();
             if square < kernel.reach2 {
-                let density = self.present.densities[i];
+                let density = self.shown().densities[i];
                 let own = kernel.value(square.sqrt());
                 weight += own;
                 filled += own * self.mass / density;
@@ -194,7 +194,7 @@ struct Nearby {
 impl Nearby {
     /// Of the present places.
     fn new(fluid: &Fluid) -> Self {
-        let (positions, points) = (&fluid.present.positions, &fluid.boundary.points);
+        let (positions, points) = (&fluid.shown().positions, &fluid.boundary.points);
         let grid = Grid::around(fluid.dimensions, positions.iter().copied(), 2.0 * fluid.momentum.kernel.h);
         let (mut own, mut boundary) = (Sorted::default(), Sorted::default());
         own.sort(1, &grid, positions.len(), |i, _| positions[i].into());

@@ -10,7 +10,9 @@
 use sph_core::Vec3;
 
 use crate::cells::NOWHERE;
-use crate::fluid::{Fluid, State};
+use crate::fluid::Fluid;
+use crate::sorted::Sorted;
+use crate::state::State;
 
 impl Fluid {
     /// Gives the opposite of impulses on the points of a structure \[F T; F T/L in a plane\] to the particles beside
@@ -28,23 +30,25 @@ impl Fluid {
     fn return_impulse(&mut self, point: usize, slot: usize, impulse: Vec3) {
         let Self { dimensions, mass, momentum, boundary, grid, sorted, present, ledger, fastest, .. } = self;
         let impulse = if *dimensions == 2 { Vec3::new(impulse.x, impulse.y, 0.0) } else { impulse };
-        let near = grid.beside(boundary.sorted.cell(slot) as u32, &sorted.starts);
+        let Sorted { starts, order, rows, faces, .. } = sorted;
+        let near = grid.beside(boundary.sorted.cell(slot) as u32, starts);
         let at = boundary.points[point];
-        let hidden = boundary.sorted.hidden_faces(slot, sorted);
+        let hidden = boundary.sorted.hidden_faces(slot, faces);
         let seen = |near: usize| hidden.faces == 0 || hidden.of[near] & hidden.faces == 0;
         let beside =
             || near.filled().iter().flat_map(|&(from, to)| from as usize..to as usize).filter(|&k| seen(k));
         let State { positions, velocities, .. } = present;
         let weight = |particle: usize| momentum.kernel.value((positions[particle] - at).norm());
-        let sum: f64 = beside().map(|k| weight(sorted.order[k] as usize)).sum();
+        let sum: f64 = beside().map(|k| weight(order[k] as usize)).sum();
         if sum == 0.0 {
             return;
         }
         let gain = -impulse / (*mass * sum);
-        for particle in beside().map(|k| sorted.order[k] as usize) {
+        for (slot, particle) in beside().map(|k| (k, order[k] as usize)) {
             let (old, change) = (velocities[particle], gain * weight(particle));
             let new = old + change;
             velocities[particle] = new;
+            rows[slot].set_velocity(new.into());
             ledger.external += *mass * change.dot(&(old + change * 0.5));
             *fastest = fastest.max(new.norm());
         }

@@ -26,10 +26,6 @@ pub(crate) struct Sums {
     pub square: f64,
     /// Square of the greatest new velocity.
     pub fastest: f64,
-    /// Of squares of changes of velocities.
-    pub change: f64,
-    /// Of what all forces but gravity resisted them with, over a kick and a mass.
-    pub resisted: f64,
     /// What diffusion took a unit of mass.
     pub loss: f64,
     /// Greatest |ρ/ρ₀ − 1|.
@@ -50,12 +46,18 @@ impl Sums {
     /// Changes a density by its rate and by what diffusion exchanges, over a time \[T\], and counts it.
     #[inline(always)]
     pub fn compress(&mut self, liquid: &Liquid, density: &mut f64, [rate, exchange]: [f64; 2], dt: f64) {
-        let new = *density + dt * (rate + exchange);
+        let old = *density;
+        self.densify(liquid, density, dt * (rate + exchange));
         if exchange != 0.0 {
-            self.loss -= 0.5 * dt * exchange * (liquid.p_over_rho2(*density) + liquid.p_over_rho2(new));
+            self.loss -= 0.5 * dt * exchange * (liquid.p_over_rho2(old) + liquid.p_over_rho2(*density));
         }
-        self.error = self.error.max((new / liquid.density - 1.0).abs());
-        *density = new;
+    }
+
+    /// Changes a density by so much.
+    #[inline(always)]
+    pub fn densify(&mut self, liquid: &Liquid, density: &mut f64, change: f64) {
+        *density += change;
+        self.error = self.error.max((*density / liquid.density - 1.0).abs());
     }
 
     /// Of all chunks, in their order.
@@ -63,8 +65,6 @@ impl Sums {
         sums.iter().fold(Self::default(), |all, chunk| Self {
             velocity: all.velocity + chunk.velocity,
             square: all.square + chunk.square,
-            change: all.change + chunk.change,
-            resisted: all.resisted + chunk.resisted,
             fastest: all.fastest.max(chunk.fastest),
             loss: all.loss + chunk.loss,
             error: all.error.max(chunk.error),

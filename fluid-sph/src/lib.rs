@@ -57,6 +57,19 @@
 //! within, and runs its pairs four at a time over the list. Chunks are of fixed size: the same bits for any number of
 //! threads, and with AVX2 or without.
 //!
+//! # Marched by several
+//!
+//! [`Fluid::share`] makes one of several who have built the same fluid (crate `peers`). Cells are owned by those who march it, along a curve through
+//! those with particles, in parts of as many pairs that are looked at; particles belong to the owner of the cell in which they were
+//! dealt out, until one may have gone half the reach of the kernel or a wall has (src/share/deal.rs). Each sweeps the particles that
+//! he moves and those in his cells, and knows two rings of cells about them, three where there are walls. Velocities of what others
+//! move come in after a kick, densities after a drift: 32 bytes a particle and step, 24 more with XSPH.
+//!
+//! What a step records is added plainly within a cell, in the order of its particles, and the cells exactly; of boundaries point by point.
+//! That depends on places alone, so that all records have the bits of one who marches alone, who adds the same way. Whole arrays
+//! are brought by [`Fluid::bring`]. A march of several with structures is refused yet, so are predictor and corrector and walls
+//! of the published method.
+//!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
@@ -67,6 +80,7 @@
 //! | a lattice under pressure hardly resists shear | src/lattice.rs |
 //! | laminar friction hardly depends on the direction of a lattice | src/momentum.rs |
 //! | the same bits for 1, 2 and 4 threads, and after a resume; no step allocates | tests/threads.rs |
+//! | the same bits for one to seven who march together: motion, works, records, gauges, refusals | tests/shared.rs |
 //! | a flow turned or mirrored is the same | `quarters_and_mirrors` (tests/turned.rs) |
 //! | water at rest is hydrostatic and stays at rest | `in_a_plane`, `in_space` (tests/water.rs) |
 //! | the axes of a drop are those of an ideal fluid | `in_a_plane`, `in_space` (tests/drop.rs) |
@@ -77,9 +91,11 @@
 //! | instruments read what is known; bad parts are refused; what leaves its bounds is named | tests/gauges.rs |
 //! | a flux sums up to what has passed; moments are those of the forces | tests/flux.rs |
 //! | the kernel is one in sum, its factor its slope; the state has its sound and energy | src/kernel.rs, src/liquid.rs |
+//! | sums by cells do not depend on who adds them | src/books.rs |
 //! | cells beside each other and single precision hold all neighbours; chunks are the same for any threads | src/cells.rs, crate `parallel` |
 #![warn(missing_docs)]
 
+mod books;
 mod boundary;
 mod cells;
 mod continuity;
@@ -99,8 +115,11 @@ mod neighbours;
 mod overlap;
 mod pair;
 mod parts;
+mod share;
+mod sharing;
 mod sorted;
 mod start;
+mod state;
 mod sweeps;
 mod time;
 mod transport;

@@ -70,8 +70,6 @@ pub(crate) struct Momentum {
 /// What a chunk of particles feels beside their accelerations.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ForceSum {
-    /// Sum over the particles: power that friction takes a unit of mass \[L²/T³\].
-    pub friction: f64,
     /// Greatest `c_a + max_b |h v_ab·r_ab/(r² + η²)| 2ρ_a/(ρ_a + ρ_b)` \[L/T\].
     pub signal: f64,
     /// Greatest square of an acceleration \[L²/T⁴\].
@@ -81,11 +79,7 @@ pub(crate) struct ForceSum {
 impl ForceSum {
     /// Of two chunks together.
     pub fn and(self, other: &Self) -> Self {
-        Self {
-            friction: self.friction + other.friction,
-            signal: self.signal.max(other.signal),
-            square: self.square.max(other.square),
-        }
+        Self { signal: self.signal.max(other.signal), square: self.square.max(other.square) }
     }
 }
 
@@ -178,6 +172,8 @@ pub(crate) struct Forces<'a, 'b, const D: usize> {
     pub velocities: &'a [sph_core::Vec3],
     /// By slot of the chunk: accelerations \[L/T²\].
     pub out: &'b mut [[f64; 3]],
+    /// By slot of the chunk: power that friction takes a unit of mass \[L²/T³\].
+    pub powers: &'b mut [f64],
 }
 
 impl<const D: usize> Sweep for Forces<'_, '_, D> {
@@ -196,13 +192,16 @@ impl<const D: usize> Sweep for Forces<'_, '_, D> {
 impl<const D: usize> Forces<'_, '_, D> {
     #[inline(always)]
     fn sum<L: Lanes, const LAMINAR: bool>(self, lanes: L) -> ForceSum {
-        let Self { momentum, grid, of, first, sets, gravity, velocities, out } = self;
+        let Self { momentum, grid, of, first, sets, gravity, velocities, out, powers } = self;
         let Momentum { kernel, mass, sound, .. } = momentum;
         let constants = Constants::new(lanes, momentum);
         let factor = -mass * kernel.slope;
         let mut cursor = CellCursor::new(grid, of, first, sets, kernel.reach());
         let (mut scratch, mut sum) = (Scratch::new(), ForceSum::default());
-        for (slot, out) in (first..).zip(out) {
+        for (slot, (out, power)) in (first..).zip(out.iter_mut().zip(powers)) {
+            if of.is_left(slot) {
+                continue;
+            }
             cursor.go(slot, &mut scratch);
             let row = &of.rows[slot];
             let velocity = velocities.get(of.order[slot] as usize).map_or(row.velocity(), |v| (*v).into());
@@ -227,8 +226,8 @@ impl<const D: usize> Forces<'_, '_, D> {
             let [x, y, z] = acceleration;
             *out = [factor * x + gravity[0], factor * y + gravity[1], factor * z + gravity[2]];
             let density = row.density();
+            *power = factor * friction;
             sum = sum.and(&ForceSum {
-                friction: factor * friction,
                 signal: sound * (density * density * density) + 2.0 * kernel.h * density * approach,
                 square: out[0] * out[0] + out[1] * out[1] + out[2] * out[2],
             });

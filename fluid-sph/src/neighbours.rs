@@ -72,7 +72,7 @@ impl<'a> CellCursor<'a> {
     #[inline(always)]
     pub fn other(&self, slot: usize) -> Option<Search<'_>> {
         let set = self.sets[1].filter(|_| !self.near[1].filled().is_empty())?;
-        Some(self.search(slot, set, true, self.of.hidden_faces(slot, set)))
+        Some(self.search(slot, set, true, self.of.hidden_faces(slot, &set.faces)))
     }
 
     #[inline(always)]

@@ -46,6 +46,16 @@ impl Row {
         self.first[3]
     }
 
+    /// The same, gone on for a time \[T\] with its velocity and another.
+    #[inline(always)]
+    pub fn gone_on(&self, with: [f64; 3], ahead: f64) -> Self {
+        let ([x, y, ..], [u, v, z, w]) = (self.first, self.second);
+        let mut row = *self;
+        (row.first[0], row.first[1]) = (x + (u + with[0]) * ahead, y + (v + with[1]) * ahead);
+        row.second[2] = z + (w + with[2]) * ahead;
+        row
+    }
+
     /// Puts density and P/ρ².
     pub fn press(&mut self, density: f64, p_over_rho2: f64) {
         (self.first[2], self.first[3]) = (density, p_over_rho2);

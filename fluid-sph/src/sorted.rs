@@ -27,12 +27,20 @@ pub(crate) struct Sorted {
     pub faces: Vec<u32>,
     /// By slot: the same where the other side cannot be seen past an edge; empty for boundaries.
     pub sides: Vec<u32>,
+    /// By slot: whether sweeps leave it to others who march the fluid; empty where they take all.
+    pub left: Vec<bool>,
 }
 
 impl Sorted {
     /// Number of particles that stand in cells.
     pub fn len(&self) -> usize {
         self.order.len()
+    }
+
+    /// Whether sweeps leave a slot to others.
+    #[inline(always)]
+    pub fn is_left(&self, slot: usize) -> bool {
+        self.left.get(slot).is_some_and(|left| *left)
     }
 
     /// The place of a slot from the origin of the grid on.
@@ -84,14 +92,15 @@ impl Sorted {
         }
     }
 
-    /// Fills the rows, from the particle, its slot and the slots of all before the last sort; the one beyond the last is far away from all, so that it adds nothing to any sum.
+    /// Fills the rows, from the particle, its slot, the slots of all before the last sort and the row that was there; the one beyond
+    /// the last is far away from all, so that it adds nothing to any sum.
     pub fn fill(
         &mut self,
         threads: usize,
         dimensions: usize,
         grid: &Grid,
         far: Row,
-        row: impl Fn(usize, usize, &[u32]) -> Row + Sync,
+        row: impl Fn(usize, usize, &[u32], &Row) -> Row + Sync,
     ) {
         let count = self.len();
         self.rows.resize(count + 1, far);
@@ -103,7 +112,7 @@ impl Sorted {
         let lists = (&mut self.rows[..count], (&mut self.x[..count], &mut self.y[..count]));
         chunks(threads, lists, |first, (rows, (x, y))| {
             for (s, ((slot, x), y)) in rows.iter_mut().zip(x).zip(y).enumerate() {
-                *slot = row(order[first + s] as usize, first + s, before);
+                *slot = row(order[first + s] as usize, first + s, before, slot);
                 [*x, *y, _] = grid.single(&slot.at());
             }
         });
@@ -123,20 +132,20 @@ impl Sorted {
             .map_or(Visibility::ALL, |&side| Visibility { faces: opposite(side), of: &self.sides })
     }
 
-    /// What a particle does not see of the other kind: a point of a face the fluid that faces the other, and the fluid the
-    /// points of the other face.
+    /// What a particle does not see of the other kind, by the faces of these: a point of a face the fluid that faces the other, and the
+    /// fluid the points of the other face.
     #[inline(always)]
-    pub fn hidden_faces<'a>(&self, slot: usize, other: &'a Self) -> Visibility<'a> {
-        self.faces
-            .get(slot)
-            .map_or(Visibility::ALL, |&face| Visibility { faces: opposite(face), of: &other.faces })
+    pub fn hidden_faces<'a>(&self, slot: usize, of: &'a [u32]) -> Visibility<'a> {
+        self.faces.get(slot).map_or(Visibility::ALL, |&face| Visibility { faces: opposite(face), of })
     }
 
     /// Bytes held for each of so many particles.
     pub fn bytes(&self) -> usize {
         let words = self.starts.len() + self.order.len() + self.slots.len() + self.before.len();
         let places = self.x.len() + self.y.len() + self.z.len();
-        4 * (words + places + self.faces.len() + self.sides.len()) + size_of::<Row>() * self.rows.len()
+        4 * (words + places + self.faces.len() + self.sides.len())
+            + self.left.len()
+            + size_of::<Row>() * self.rows.len()
     }
 }
 

@@ -4,12 +4,13 @@ use lanes::widest;
 use parallel::{chunks, reduced};
 
 use crate::boundary::points::Boundary;
-use crate::cells::Grid;
+use crate::cells::{Extent, Grid};
 use crate::continuity::Rates;
 use crate::fluid::{CELL, Fluid};
 use crate::formulation::WallRule;
 use crate::momentum::{ForceSum, Forces};
 use crate::pair::Row;
+use crate::sorted::Sorted;
 use crate::transport::Transport;
 use crate::walls::extrapolated::{Means, WallMean};
 
@@ -17,14 +18,34 @@ impl Fluid {
     /// Sorts the particles, moved on by a time, and the boundaries, so long before the end of the step \[T\].
     pub(crate) fn sort(&mut self, ahead: f64, before: f64) {
         let width = CELL * 2.0 * self.momentum.kernel.h;
-        let Self { threads, dimensions, present, drags, grid, sorted, boundary, .. } = self;
+        let Self { threads, dimensions, present, drags, grid, sorted, boundary, share, .. } = self;
         let count = present.positions.len();
         let place = |i: usize, slots: &[u32]| {
             present.place(i, drags, slots.get(i).map_or(0, |slot| *slot as usize), ahead)
         };
-        *grid = Grid::around(*dimensions, (0..count).map(|i| place(i, &sorted.slots)), width);
+        let extent = Extent::of(*dimensions, (0..count).map(|i| place(i, &sorted.slots)));
+        *grid = Grid::over(*dimensions, share.all(count), share.widened(extent), width);
         sorted.sort(*threads, grid, count, |i, before| place(i, before).into());
-        boundary.sort(grid, before);
+        boundary.sort(grid, before, share.near());
+        self.leave_to_others();
+    }
+
+    /// Finds which slots others sweep who march the fluid too.
+    fn leave_to_others(&mut self) {
+        let Self { grid, sorted, boundary, share, .. } = self;
+        let Some(shared) = share.shared() else { return };
+        let Sorted { starts, order, left, .. } = sorted;
+        left.clear();
+        for cell in 0..grid.len() {
+            let particles = &order[starts[cell] as usize..starts[cell + 1] as usize];
+            if !particles.is_empty() {
+                let adds = shared.deal.adds(grid, cell);
+                left.extend(particles.iter().map(|&known| !adds && !shared.deal.moves[known as usize]));
+            }
+        }
+        let Sorted { order, left, .. } = &mut boundary.sorted;
+        left.clear();
+        left.extend(order.iter().map(|&point| !shared.deal.owns[point as usize]));
     }
 
     /// Fills the rows of the fluid, moved on by a time, and of the boundaries, so long before the end of the step \[T\];
@@ -32,10 +53,21 @@ impl Fluid {
     pub(crate) fn fill(&mut self, ahead: f64, before_end: f64, sorted_anew: bool) {
         let far = self.far();
         let Self { threads, dimensions, liquid, present, drags, grid, sorted, boundary, .. } = self;
-        sorted.fill(*threads, *dimensions, grid, far, |i, slot, before| {
+        sorted.fill(*threads, *dimensions, grid, far, |i, slot, before, _| {
             let slot = if sorted_anew { before[i] as usize } else { slot };
             let (v, density) = (present.velocities[i], present.densities[i]);
             Row::new(present.place(i, drags, slot, ahead), density, v, liquid.p_over_rho2(density))
+        });
+        boundary.fill(*dimensions, grid, far, before_end);
+    }
+
+    /// Moves the rows of the fluid on by a time with their velocities and drags, and fills those of the boundaries, so long before the end
+    /// of the step \[T\].
+    pub(crate) fn carry_on(&mut self, ahead: f64, before_end: f64) {
+        let far = self.far();
+        let Self { threads, dimensions, drags, grid, sorted, boundary, .. } = self;
+        sorted.fill(*threads, *dimensions, grid, far, |_, slot, _, row| {
+            row.gone_on(drags.get(slot).copied().unwrap_or_default(), ahead)
         });
         boundary.fill(*dimensions, grid, far, before_end);
     }
@@ -121,31 +153,34 @@ impl Fluid {
             sorted,
             boundary,
             accelerations,
+            powers,
             force_sums,
             ..
         } = self;
-        let Boundary { sorted: points, velocities, accelerations: own, .. } = boundary;
+        let Boundary { sorted: points, velocities, accelerations: own, powers: rubbed, .. } = boundary;
         let (fluid, points, momentum, grid) = (&*sorted, &*points, &*momentum, &*grid);
         let plane = *dimensions == 2;
-        let forces = |first, of, sets, gravity, velocities, out: &mut [[f64; 3]]| {
+        type Chunk<'a> = (&'a mut [[f64; 3]], &'a mut [f64]);
+        let forces = |first, of, sets, gravity, velocities, (out, powers): Chunk<'_>| {
             if plane {
-                widest(Forces::<2> { momentum, grid, of, first, sets, gravity, velocities, out })
+                widest(Forces::<2> { momentum, grid, of, first, sets, gravity, velocities, out, powers })
             } else {
-                widest(Forces::<3> { momentum, grid, of, first, sets, gravity, velocities, out })
+                widest(Forces::<3> { momentum, grid, of, first, sets, gravity, velocities, out, powers })
             }
         };
         let gravity = (*gravity).into();
-        reduced(*threads, &mut accelerations[..], force_sums, |first, out| {
-            forces(first, fluid, [Some(fluid), Some(points)], gravity, &[], out)
-        });
-        let fluids = force_sums.iter().fold(ForceSum::default(), ForceSum::and);
-        reduced(*threads, &mut own[..], force_sums, |first, out| {
-            forces(first, points, [None, Some(fluid)], [0.0; 3], velocities, out)
+        let lists = (&mut accelerations[..], &mut powers[..]);
+        reduced(*threads, lists, force_sums, |first, lists| {
+            forces(first, fluid, [Some(fluid), Some(points)], gravity, &[], lists)
         });
         // Boundaries have no signal and no acceleration of their own; what their motion does to friction counts.
-        let friction: f64 = force_sums.iter().map(|sum| sum.friction).sum();
-        self.force_sum = ForceSum { friction: fluids.friction + friction, ..fluids };
-        boundary.keep_forces(self.mass);
+        chunks(*threads, (&mut own[..], &mut rubbed[..]), |first, lists| {
+            forces(first, points, [None, Some(fluid)], [0.0; 3], velocities, lists);
+        });
+        let found = force_sums.iter().fold(ForceSum::default(), ForceSum::and);
+        let [signal, square] = self.share.greatest([found.signal, found.square]);
+        self.force_sum = ForceSum { signal, square };
+        boundary.keep_forces(self.mass, self.share.owns());
     }
 
     /// Rates of density of the fluid and of boundaries, from the rows as they are.
@@ -182,5 +217,6 @@ impl Fluid {
                 widest(Transport::<3> { kernel, share, grid, fluid, first, out });
             }
         });
+        self.share.bring_vectors(&mut self.drags, |known| self.sorted.slots[known] as usize);
     }
 }

@@ -48,6 +48,9 @@ impl<const D: usize> Sweep for Transport<'_, '_, D> {
         let mut cursor = CellCursor::new(grid, fluid, first, [Some(fluid), None], kernel.reach());
         let mut scratch = Scratch::new();
         for (slot, out) in (first..).zip(out) {
+            if fluid.is_left(slot) {
+                continue;
+            }
             cursor.go(slot, &mut scratch);
             let own = Four::all(lanes, &fluid.rows[slot]);
             let mut drag = Drag::<L, D> { shape, own, sum: Vector([shape.zero; 3]) };

@@ -1,4 +1,4 @@
-//! The same bits for 1, 2 and 4 threads and after a resume, and no allocation inside a step.
+//! The same bits for 1, 2 and 4 threads and after a resume, and no allocation inside a step, of two who share it neither.
 
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
@@ -10,6 +10,7 @@ use std::sync::Mutex;
 use common::{disorder, pool};
 use explicit_dynamics::Clock;
 use fluid_sph::{Fluid, Formulation, Scheme, WallRule};
+use peers::together;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
 #[global_allocator]
@@ -107,6 +108,33 @@ fn a_step_allocates_nothing() {
                 region.change().allocations
             });
             assert_eq!(least.min(), Some(0), "{dimensions} {formulation:?}");
+        }
+    }
+}
+
+/// Between two deals, which still water needs once in thousands of steps.
+#[test]
+fn a_step_of_two_allocates_nothing() {
+    let _alone = ALONE.lock().unwrap();
+    for dimensions in [2, 3] {
+        for xsph in [0.0, 0.3] {
+            let least = together(2, |peers| {
+                let size = [0.6, 0.4, 0.4];
+                let formulation = Formulation { xsph, ..Formulation::default() };
+                let parts = pool(dimensions, size, size, if dimensions == 2 { 0.02 } else { 0.05 });
+                let mut fluid = Fluid::new(fluid_sph::Parts { formulation, ..parts }).unwrap();
+                fluid.share(peers).unwrap();
+                let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
+                steps(&mut fluid, &mut clock, 3);
+                // Beside the harness, one of the two may begin a round before the other has ended its own.
+                let least = (0..5).map(|_| {
+                    let region = Region::new(ALLOCATOR);
+                    steps(&mut fluid, &mut clock, 10);
+                    region.change().allocations
+                });
+                least.min()
+            });
+            assert_eq!(least.unwrap(), [Some(0); 2], "{dimensions} dimensions, XSPH {xsph}");
         }
     }
 }

@@ -16,8 +16,10 @@
 use std::ops::Range;
 
 use explicit_dynamics::BoundaryState;
+use peers::Exact;
 use sph_core::Vec3;
 
+use crate::books::put;
 use crate::boundary::check::check;
 use crate::boundary::ledger::Ledger;
 use crate::boundary::sides::Thin;
@@ -60,6 +62,8 @@ pub(crate) struct Boundary {
     /// By slot: means of the fluid beside, forces, rates of density.
     pub means: Vec<WallMean>,
     pub accelerations: Vec<[f64; 3]>,
+    /// By slot: power that friction takes a unit of mass \[L²/T³\].
+    pub powers: Vec<f64>,
     pub rates: Vec<[f64; 2]>,
     /// Structures with two sides.
     pub thin: Vec<Thin>,
@@ -144,6 +148,11 @@ impl Boundary {
         self.walls.len()
     }
 
+    /// Whether there are structures.
+    pub fn has_structures(&self) -> bool {
+        !self.structures.is_empty()
+    }
+
     /// What a particle is called.
     pub fn name(&self, particle: usize) -> String {
         let of = |kind: &str, number: usize, first: usize| {
@@ -161,8 +170,7 @@ impl Boundary {
     /// Bytes held.
     pub fn bytes(&self) -> usize {
         let rest: usize = self.walls.iter().map(|wall| wall.rest.len()).sum();
-        let slots =
-            size_of::<WallMean>() * self.means.len() + 24 * self.accelerations.len() + 16 * self.rates.len();
+        let slots = (size_of::<WallMean>() + 24 + 8 + 16) * self.means.len();
         (80 + 16) * self.points.len() + 4 * self.faces.len() + 24 * rest + slots + self.sorted.bytes()
     }
 
@@ -178,6 +186,15 @@ impl Boundary {
                 self.points[point] = end;
             }
         }
+    }
+
+    /// The greatest way of a wall's particle to where it is at a time \[L\].
+    pub fn way_to(&self, time: f64) -> f64 {
+        let moving = self.walls.iter().filter_map(|wall| Some((wall, wall.motion.as_ref()?)));
+        let ways = moving.flat_map(|(WallPart { range, rest, .. }, motion)| {
+            range.clone().zip(rest).map(move |(point, rest)| place(motion, rest, time) - self.points[point])
+        });
+        ways.map(|way| way.norm()).fold(0.0, f64::max)
     }
 
     /// Puts a structure where it is.
@@ -203,10 +220,14 @@ impl Boundary {
         }
     }
 
-    /// Sorts them into the cells of the fluid, where they were so long a time before the end of the step \[T\].
-    pub fn sort(&mut self, grid: &Grid, before: f64) {
+    /// Sorts those that are near, all if nothing is said, into the cells of the fluid, where they were so long a time before the end of the
+    /// step \[T\].
+    pub fn sort(&mut self, grid: &Grid, before: f64, near: &[bool]) {
         let (points, velocities) = (&self.points, &self.velocities);
-        self.sorted.sort(1, grid, points.len(), |i, _| (points[i] - velocities[i] * before).into());
+        let at = |i: usize| (points[i] - velocities[i] * before).into();
+        // Beyond all cells; where they are cut off and have no end, all are near.
+        let beyond = [f64::INFINITY; 3];
+        self.sorted.sort(1, grid, points.len(), |i, _| if is_one(near, i) { at(i) } else { beyond });
         let Sorted { order, faces, .. } = &mut self.sorted;
         faces.clear();
         if !self.faces.is_empty() {
@@ -215,20 +236,24 @@ impl Boundary {
         let count = self.sorted.len();
         self.means.resize(count, WallMean::default());
         self.accelerations.resize(count, [0.0; 3]);
+        self.powers.resize(count, 0.0);
         self.rates.resize(count, [0.0; 2]);
     }
 
     /// Fills what the sweeps read of them, where they were so long a time before the end of the step \[T\].
     pub fn fill(&mut self, dimensions: usize, grid: &Grid, far: Row, before: f64) {
         let (points, velocities) = (&self.points, &self.velocities);
-        self.sorted.fill(1, dimensions, grid, far, |i, _, _| {
+        self.sorted.fill(1, dimensions, grid, far, |i, _, _, _| {
             Row::new(points[i] - velocities[i] * before, 0.0, velocities[i], 0.0)
         });
     }
 
-    /// Hands forces found by slot back to the points.
-    pub fn keep_forces(&mut self, mass: f64) {
-        for (force, &slot) in self.forces.iter_mut().zip(&self.sorted.slots) {
+    /// Hands forces found by slot back to the points that are one's own, all if nothing is said.
+    pub fn keep_forces(&mut self, mass: f64, owns: &[bool]) {
+        for (point, (force, &slot)) in self.forces.iter_mut().zip(&self.sorted.slots).enumerate() {
+            if !is_one(owns, point) {
+                continue;
+            }
             let acceleration = if slot == NOWHERE { [0.0; 3] } else { self.accelerations[slot as usize] };
             *force = acceleration.map(|a| mass * a);
         }
@@ -261,28 +286,53 @@ impl Boundary {
         self.sorted.rows.iter().zip(&self.rates).map(power).sum()
     }
 
-    /// Work of the half step after the last forces, from the rates in the middle of a step; `mass` of a particle.
-    pub fn work_before(&mut self, mass: f64, dt: f64) -> f64 {
-        let mut work = 0.0;
-        let Self { sorted, rates, ledger, .. } = self;
-        for ((owed, share), &slot) in ledger.owed.iter_mut().zip(&ledger.shares).zip(&sorted.slots) {
-            let rate = if slot == NOWHERE { 0.0 } else { rates[slot as usize][0] };
-            *owed = 0.5 * dt * rate;
-            work -= share * *owed;
-        }
-        ledger.time = 0.5 * dt;
-        mass * work + 0.5 * dt * self.power()
+    /// Adds what friction takes at the points that are swept.
+    pub fn rub(&self, sum: &mut Exact) {
+        (0..self.sorted.len())
+            .filter(|&slot| !self.sorted.is_left(slot))
+            .for_each(|slot| put(sum, self.powers[slot]));
     }
 
-    /// Work of the half step before the present forces; asked twice, the second time there is none.
-    pub fn work_after(&mut self, mass: f64) -> f64 {
-        let mut work = 0.0;
-        let Self { sorted, ledger, .. } = self;
-        for ((share, owed), &slot) in ledger.shares.iter_mut().zip(&mut ledger.owed).zip(&sorted.slots) {
-            *share = if slot == NOWHERE { 0.0 } else { sorted.rows[slot as usize].p_over_rho2() };
-            work -= *share * std::mem::take(owed);
+    /// Work of the half step after the last forces, from the rates in the middle of a step, of the points that are one's own: of their
+    /// pressure over the mass of a particle, and of their motion over the time, which the ledger then tells.
+    pub fn work_before(&mut self, dt: f64, owns: &[bool]) -> [Exact; 2] {
+        let Self { sorted, rates, ledger: Ledger { shares, owed, time }, .. } = self;
+        let mut pressing = Exact::new();
+        for (point, &slot) in sorted.slots.iter().enumerate().filter(|(point, _)| is_one(owns, *point)) {
+            let rate = if slot == NOWHERE { 0.0 } else { rates[slot as usize][0] };
+            owed[point] = 0.5 * dt * rate;
+            put(&mut pressing, -shares[point] * owed[point]);
         }
-        let time = std::mem::take(&mut ledger.time);
-        mass * work + time * self.power()
+        *time = 0.5 * dt;
+        [pressing, self.powers_of_motion(owns)]
     }
+
+    /// Work of the half step before the present forces, likewise, and the time; asked twice, the second time there is none.
+    pub fn work_after(&mut self, owns: &[bool]) -> ([Exact; 2], f64) {
+        let Self { sorted, ledger: Ledger { shares, owed, time }, .. } = self;
+        let mut pressing = Exact::new();
+        for (point, &slot) in sorted.slots.iter().enumerate().filter(|(point, _)| is_one(owns, *point)) {
+            let share = if slot == NOWHERE { 0.0 } else { sorted.rows[slot as usize].p_over_rho2() };
+            shares[point] = share;
+            put(&mut pressing, -share * std::mem::take(&mut owed[point]));
+        }
+        let time = std::mem::take(time);
+        ([pressing, self.powers_of_motion(owns)], time)
+    }
+
+    /// The terms of [`Boundary::power`], added exactly.
+    fn powers_of_motion(&self, owns: &[bool]) -> Exact {
+        let mut sum = Exact::new();
+        for (point, (force, velocity)) in self.forces.iter().zip(&self.velocities).enumerate() {
+            if is_one(owns, point) {
+                put(&mut sum, -Vec3::from(*force).dot(velocity));
+            }
+        }
+        sum
+    }
+}
+
+/// Whether it is one of those marked; all are if nothing is said.
+fn is_one(marked: &[bool], point: usize) -> bool {
+    marked.get(point).is_none_or(|marked| *marked)
 }

@@ -7,45 +7,36 @@
 //!
 //! Boundaries end a step where the march puts them, and stand half a step of their mean velocities behind in its middle.
 
-use explicit_dynamics::{
-    Bounds, Dynamics, Instant, MarchError, OutOfBounds, OutOfRange, StableStep, Step, Work,
-};
+use explicit_dynamics::{Bounds, Dynamics, Instant, MarchError, OutOfBounds, StableStep, Step, Work};
 use parallel::reduced;
+use peers::Exact;
 use sph_core::Vec3;
 
+use crate::books::by_cells;
 use crate::fluid::{CELL, Fluid, StepBounds};
 use crate::formulation::{Scheme, WallRule};
 use crate::ledger::Sums;
-use crate::start::outside;
+use crate::pair::Row;
+use crate::sorted::Sorted;
 
 impl Dynamics for Fluid {
     fn evaluate(&mut self, _: Instant) -> f64 {
         self.refresh();
-        self.compression()
+        let Self { threads, mass, liquid, grid, sorted, share, .. } = self;
+        let adds = |cell: usize| share.adds(grid, cell);
+        let Sorted { starts, rows, order, .. } = sorted;
+        let energy = |_, row: &mut Row| [liquid.compression(row.density())];
+        let [sum] = share.add(by_cells(*threads, starts, &mut rows[..order.len()], &adds, &energy));
+        *mass * sum
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        let sums = self.kick_velocities(step);
-        let kinetic = 0.5 * self.mass * sums.square;
-        let mut work = Work { kinetic, ..Work::default() };
-        if step.kick > 0.0 {
-            if self.formulation.scheme == Scheme::KickDriftKick {
-                let friction = step.kick * self.mass * self.force_sum.friction;
-                self.ledger.viscous += friction;
-                work.dissipated += friction + 2.0 * step.damping * step.kick * kinetic;
-                work.external += step.kick * self.mass * self.gravity.dot(&sums.velocity);
-                work.change = 0.5 * self.mass * sums.change;
-                work.resisted = step.kick * self.mass * sums.resisted;
-            }
-            work.external += std::mem::take(&mut self.ledger.external);
-            work.dissipated += std::mem::take(&mut self.ledger.dissipated);
-            self.fastest = sums.fastest.sqrt();
-        }
-        work
+        self.kicked(step, true)
     }
 
     fn drift(&mut self, step: &Step) {
         let dt = step.drift();
+        self.deal_if_due(step.to.time, dt);
         self.boundary.move_walls(step.to.time, dt);
         match self.formulation.scheme {
             Scheme::KickDriftKick => self.drift_once(dt),
@@ -57,7 +48,7 @@ impl Dynamics for Fluid {
 
     fn advance(&mut self, step: &Step) -> Work {
         self.refresh();
-        let work = self.kick(step);
+        let work = self.kicked(step, false);
         self.drift(step);
         work
     }
@@ -79,7 +70,42 @@ impl Dynamics for Fluid {
     }
 }
 
+/// Sums over the particles of a kick.
+#[derive(Clone, Copy, Debug, Default)]
+struct Kicked {
+    /// Of squares of the means of old and new velocities.
+    square: f64,
+    /// Of their products with gravity.
+    weight: f64,
+    /// Of what friction takes of a unit of mass in a unit of time.
+    friction: f64,
+    /// Of squares of changes of velocities.
+    change: f64,
+    /// Of what all forces but gravity resisted them with, over a kick and a mass.
+    resisted: f64,
+}
+
 impl Fluid {
+    /// A kick, and its work; `told` what only records need of it.
+    fn kicked(&mut self, step: &Step, told: bool) -> Work {
+        let Kicked { square, weight, friction, change, resisted } = self.kick_velocities(step, told);
+        let kinetic = 0.5 * self.mass * square;
+        let mut work = Work { kinetic, ..Work::default() };
+        if step.kick > 0.0 {
+            if self.formulation.scheme == Scheme::KickDriftKick {
+                let friction = step.kick * self.mass * friction;
+                self.ledger.viscous += friction;
+                work.dissipated += friction + 2.0 * step.damping * step.kick * kinetic;
+                work.external += step.kick * self.mass * weight;
+                work.change = 0.5 * self.mass * change;
+                work.resisted = step.kick * self.mass * resisted;
+            }
+            work.external += std::mem::take(&mut self.ledger.external);
+            work.dissipated += std::mem::take(&mut self.ledger.dissipated);
+        }
+        work
+    }
+
     /// Forces of the present state, unless they are there.
     pub(super) fn refresh(&mut self) {
         if self.fresh {
@@ -90,37 +116,100 @@ impl Fluid {
         self.find_sides();
         self.press_boundaries();
         self.sweep_forces();
-        self.ledger.external += self.boundary.work_after(self.mass);
+        if !self.boundary.points.is_empty() {
+            let (sums, time) = self.boundary.work_after(self.share.owns());
+            let [pressing, moving] = self.share.add(sums);
+            self.ledger.external += self.mass * pressing + time * moving;
+        }
         self.fresh = true;
     }
 
-    /// New velocities; of a predictor and corrector none. Sums of the means of old and new.
-    fn kick_velocities(&mut self, step: &Step) -> Sums {
+    /// New velocities; of a predictor and corrector none. Their greatest is kept after a kick that takes time.
+    fn kick_velocities(&mut self, step: &Step, told: bool) -> Kicked {
+        self.refresh();
         let kicks = self.formulation.scheme == Scheme::KickDriftKick;
         let kick = if kicks { step.kick } else { 0.0 };
         let decay = Step { kick, ..*step }.decay();
-        let Self { threads, present, accelerations, sorted, sums, gravity, .. } = self;
-        let slots = &sorted.slots;
+        let kicked = |row: &mut Row, acceleration: &[f64; 3]| {
+            let old = row.velocity();
+            let new = std::array::from_fn(|k| decay.kicked(old[k], kick * acceleration[k]));
+            row.set_velocity(new);
+            [old, new].map(Vec3::from)
+        };
+        let Self { threads, accelerations, powers, grid, sorted, boundary, gravity, share, .. } = self;
+        let Sorted { starts, rows, .. } = sorted;
+        let rows = &mut rows[..accelerations.len()];
+        let adds = |cell: usize| share.adds(grid, cell);
+        let mut rubbed = Exact::new();
+        if kicks {
+            boundary.rub(&mut rubbed);
+        }
+        let plain = |slot: usize, row: &mut Row| {
+            let [old, new] = kicked(row, &accelerations[slot]);
+            let mean = (old + new) * 0.5;
+            [mean.norm_squared(), gravity.dot(&mean), powers[slot]]
+        };
+        let work = if told {
+            let numbers = |slot: usize, row: &mut Row| {
+                let before = Vec3::from(row.velocity());
+                let [square, weight, power] = plain(slot, row);
+                let change = Vec3::from(row.velocity()) - before;
+                let resisted = (*gravity - Vec3::from(accelerations[slot])).dot(&change);
+                [square, weight, power, change.norm_squared(), resisted]
+            };
+            let [square, weight, mut friction, change, resisted] =
+                by_cells(*threads, starts, rows, &adds, &numbers);
+            friction.merge(&rubbed);
+            let [square, weight, friction, change, resisted] =
+                share.add([square, weight, friction, change, resisted]);
+            Kicked { square, weight, friction, change, resisted }
+        } else {
+            let [square, weight, mut friction] = by_cells(*threads, starts, rows, &adds, &plain);
+            friction.merge(&rubbed);
+            let [square, weight, friction] = share.add([square, weight, friction]);
+            Kicked { square, weight, friction, ..Kicked::default() }
+        };
+        self.keep_velocities(step.kick > 0.0);
+        work
+    }
+
+    /// Hands the velocities of rows back to their particles, and those of particles that others move to their rows; keeps the greatest if
+    /// asked to.
+    fn keep_velocities(&mut self, keeps: bool) {
+        let Self { threads, present, sorted, sums, share, fastest, .. } = self;
+        let (slots, rows, moves) = (&sorted.slots, &sorted.rows, share.moves());
         reduced(*threads, &mut present.velocities[..], sums, |first, velocities: &mut [Vec3]| {
-            let mut sums = Sums::default();
-            for (velocity, &slot) in velocities.iter_mut().zip(&slots[first..]) {
-                let acceleration = Vec3::from(accelerations[slot as usize]);
-                let new = velocity.zip_map(&acceleration, |v, a| decay.kicked(v, kick * a));
-                let change = new - *velocity;
-                sums.change += change.norm_squared();
-                sums.resisted += (*gravity - acceleration).dot(&change);
-                sums.kick(velocity, new);
+            let mut fastest: f64 = 0.0;
+            for (i, (velocity, &slot)) in (first..).zip(velocities.iter_mut().zip(&slots[first..])) {
+                if moves.get(i).is_none_or(|moves| *moves) {
+                    *velocity = rows[slot as usize].velocity().into();
+                    fastest = fastest.max(velocity.norm_squared());
+                }
             }
-            sums
+            Sums { fastest, ..Sums::default() }
         });
-        Sums::total(sums)
+        let [square] = share.greatest([Sums::total(sums).fastest]);
+        if keeps {
+            *fastest = square.sqrt();
+        }
+        share.bring_vectors(&mut present.velocities, |known| known);
+        for (known, _) in share.moves().iter().enumerate().filter(|(_, moves)| !**moves) {
+            sorted.rows[sorted.slots[known] as usize].set_velocity(present.velocities[known].into());
+        }
+    }
+
+    /// Power that friction takes a unit of mass, of all, by the last forces \[L²/T³\].
+    pub(super) fn friction(&mut self) -> f64 {
+        let Self { threads, powers, grid, sorted, boundary, share, .. } = self;
+        let adds = |cell: usize| share.adds(grid, cell);
+        let mut sums = by_cells(*threads, &sorted.starts, powers, &adds, &|_, power| [*power]);
+        boundary.rub(&mut sums[0]);
+        let [sum] = share.add(sums);
+        sum
     }
 
     fn drift_once(&mut self, dt: f64) {
-        if self.formulation.xsph != 0.0 {
-            self.fill(0.0, 0.5 * dt, true);
-            self.sweep_drags();
-        }
+        self.sweep_drags();
         // Cells are a little wider than the kernel reaches; whoever went further is sorted anew, from before its way.
         let way = 0.5 * dt * self.fastest;
         let spare = (CELL - 1.0) * 2.0 * self.momentum.kernel.h;
@@ -128,36 +217,62 @@ impl Fluid {
         if resort {
             self.sort(0.5 * dt, 0.5 * dt);
         }
-        self.fill(0.5 * dt, 0.5 * dt, resort);
         if resort {
+            self.fill(0.5 * dt, 0.5 * dt, true);
             self.find_sides();
+        } else {
+            self.carry_on(0.5 * dt, 0.5 * dt);
         }
         self.sweep_rates();
-        self.ledger.external += self.boundary.work_before(self.mass, dt);
+        self.record_rates(dt);
         self.advance_boundary_densities(dt);
         self.advance_places(dt, resort);
     }
 
+    /// Records what the rates take and give in a step: by diffusion of density, and of the pressure and motion of boundaries.
+    fn record_rates(&mut self, dt: f64) {
+        let diffuses = self.formulation.density_diffusion != 0.0;
+        if !diffuses && self.boundary.points.is_empty() {
+            return;
+        }
+        let Self { threads, liquid, rates, grid, sorted, boundary, share, .. } = self;
+        let mut sums = [const { Exact::new() }; 3];
+        if diffuses {
+            let numbers = |slot: usize, &mut [rate, exchange]: &mut [f64; 2]| {
+                let row = &sorted.rows[slot];
+                let shares = row.p_over_rho2() + liquid.p_over_rho2(row.density() + dt * (rate + exchange));
+                [-0.5 * dt * exchange * shares]
+            };
+            [sums[0]] = by_cells(*threads, &sorted.starts, rates, &|cell| share.adds(grid, cell), &numbers);
+        }
+        [sums[1], sums[2]] = boundary.work_before(dt, share.owns());
+        let [loss, pressing, moving] = share.add(sums);
+        let Self { mass, ledger, .. } = self;
+        ledger.diffusion += *mass * loss;
+        ledger.dissipated += *mass * loss;
+        ledger.external += *mass * pressing + 0.5 * dt * moving;
+    }
+
     /// New densities and places from the rates; `resorted` since drags were found.
     fn advance_places(&mut self, dt: f64, resorted: bool) {
-        let Self { threads, liquid, present, rates, drags, sorted, sums, mass, .. } = self;
-        let (slots, velocities) = (&sorted.slots, &present.velocities);
+        let Self { threads, liquid, present, rates, drags, sorted, sums, share, .. } = self;
+        let (slots, velocities, moves) = (&sorted.slots, &present.velocities, share.moves());
         let dragged = if resorted { &sorted.before } else { slots };
         let lists = (&mut present.positions[..], &mut present.densities[..]);
         reduced(*threads, lists, sums, |first, (positions, densities): (&mut [Vec3], &mut [f64])| {
             let mut sums = Sums::default();
             for (i, (position, density)) in (first..).zip(positions.iter_mut().zip(densities)) {
-                sums.compress(liquid, density, rates[slots[i] as usize], dt);
+                if moves.get(i).is_none_or(|moves| *moves) {
+                    let [rate, exchange] = rates[slots[i] as usize];
+                    sums.densify(liquid, density, dt * (rate + exchange));
+                }
                 let drag = drags.get(dragged[i] as usize).map_or_else(Vec3::zeros, |drag| Vec3::from(*drag));
                 *position += (velocities[i] + drag) * dt;
             }
             sums
         });
-        let sums = Sums::total(sums);
-        let loss = *mass * sums.loss;
-        self.ledger.diffusion += loss;
-        self.ledger.dissipated += loss;
-        self.ledger.density_error = self.ledger.density_error.max(sums.error);
+        self.ledger.density_error = self.ledger.density_error.max(Sums::total(sums).error);
+        share.bring_numbers(&mut present.densities);
     }
 
     /// New densities of boundaries that have their own; never below that of no pressure, for a wall does not pull.
@@ -171,56 +286,6 @@ impl Fluid {
             let density = &mut boundary.densities[point as usize];
             *density = (*density + dt * rate).max(least);
         }
-    }
-
-    fn check_speeds(&self) -> Result<(), OutOfBounds> {
-        let bound = self.liquid.sound_speed;
-        let square = |(particle, v): (usize, &Vec3)| {
-            let square = v.norm_squared();
-            (particle, if square.is_nan() { f64::INFINITY } else { square })
-        };
-        let squares = self.present.velocities.iter().enumerate().map(square);
-        let (particle, square) =
-            squares.fold((0, 0.0), |best, next| if next.1 > best.1 { next } else { best });
-        let speed = square.sqrt();
-        if speed <= bound { Ok(()) } else { Err(OutOfBounds::Speed { particle, speed, bound }) }
-    }
-
-    fn check_configuration(&self) -> Result<(), OutOfBounds> {
-        let place = |particle: usize| format!("particle {particle}");
-        let ratio = |density: &f64| density / self.liquid.density;
-        let dense = |density: &f64| !(0.5..=2.0).contains(&ratio(density));
-        if let Some(particle) = self.present.densities.iter().position(dense) {
-            let value = ratio(&self.present.densities[particle]);
-            let bound = "between 0.5 and 2: raise the speed of sound or refine";
-            return Err(OutOfRange {
-                place: place(particle),
-                what: "density over that at rest",
-                value,
-                bound,
-            }
-            .into());
-        }
-        if let Some(domain) = &self.domain {
-            let positions = &self.present.positions;
-            let outside = |at: &Vec3| outside(self.dimensions, domain, at);
-            if let Some(particle) = positions.iter().position(outside) {
-                let [low, high] = domain;
-                let beyond =
-                    |k: &usize| !(positions[particle][*k] >= low[*k] && positions[particle][*k] <= high[*k]);
-                let axis = (0..self.dimensions).find(beyond).unwrap_or(0);
-                let what = ["first coordinate", "second coordinate", "third coordinate"][axis];
-                let value = positions[particle][axis];
-                let bound = "inside the domain: close the walls or enlarge the domain";
-                return Err(OutOfRange { place: place(particle), what, value, bound }.into());
-            }
-        }
-        if let Some((value, _)) = self.collapsed() {
-            let (place, what) = ("the fluid".to_owned(), "stable step");
-            let bound = "at least 1e-4 h/c of a quiet fluid: particles collide or boundaries move too fast";
-            return Err(OutOfRange { place, what, value, bound }.into());
-        }
-        Ok(())
     }
 }
 

@@ -1,4 +1,5 @@
 //! The fluid in time.
 
+mod bounds;
 mod march;
 mod predictor_corrector;

@@ -12,9 +12,10 @@ use parallel::reduced;
 use sph_core::Vec3;
 
 use crate::cells::Grid;
-use crate::fluid::{CELL, Fluid, State};
+use crate::fluid::{CELL, Fluid};
 use crate::ledger::Sums;
 use crate::pair::Row;
+use crate::state::State;
 
 /// Rates at the start, by the slots that particles had there, and the time to the middle of the step \[T\].
 struct Prediction<'a> {
@@ -72,12 +73,12 @@ impl Fluid {
         let slot = |i: usize| sorted.slots[i] as usize;
         *grid = Grid::around(*dimensions, (0..count).map(|i| middle.place(i, slot(i))), width);
         sorted.sort(*threads, grid, count, |i, before| middle.place(i, before[i] as usize).into());
-        sorted.fill(*threads, *dimensions, grid, far, |i, _, before| {
+        sorted.fill(*threads, *dimensions, grid, far, |i, _, before, _| {
             let slot = before[i] as usize;
             let density = middle.density(i, slot);
             Row::new(middle.place(i, slot), density, middle.velocity(i, slot), liquid.p_over_rho2(density))
         });
-        boundary.sort(grid, half);
+        boundary.sort(grid, half, &[]);
         boundary.fill(*dimensions, grid, far, half);
     }
 
@@ -102,8 +103,9 @@ impl Fluid {
             sums
         });
         let sums = Sums::total(sums);
+        let friction = self.friction();
         let Self { mass, ledger, .. } = self;
-        let (loss, friction) = (*mass * sums.loss, dt * *mass * self.force_sum.friction);
+        let (loss, friction) = (*mass * sums.loss, dt * *mass * friction);
         let power = self.gravity.dot(&sums.velocity) + self.boundary.pressing();
         ledger.diffusion += loss;
         ledger.viscous += friction;

@@ -1,0 +1,141 @@
+//! A fluid that several march together: what they are refused, how all is dealt out and brought back.
+
+use peers::Peers;
+
+use crate::cells::Grid;
+use crate::error::FluidError;
+use crate::fluid::{CELL, Fluid};
+use crate::formulation::{Scheme, WallRule};
+use crate::share::Share;
+use crate::share::deal::{All, Deal, FARTHEST};
+use crate::state::State;
+
+impl Fluid {
+    /// Marches it with others, each of whom has built the same fluid: this one moves its part of the particles. All that a march
+    /// returns is that of the whole, with the bits of one who marches it alone; what is read of the fluid is right after
+    /// [`Fluid::bring`]. All of them call the methods that march it, its bounds among them, in the same order, and give it the same
+    /// states.
+    ///
+    /// # Errors
+    /// [`FluidError::NotShared`]: structures in the fluid, predictor and corrector, walls with a density of their own.
+    pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), FluidError> {
+        let refusals = [
+            (self.boundary.has_structures(), "a fluid with structures in it"),
+            (
+                self.formulation.scheme == Scheme::PredictorCorrector,
+                "a fluid marched by predictor and corrector",
+            ),
+            (self.formulation.walls == WallRule::Dynamic, "a fluid between walls of the published method"),
+        ];
+        if let Some((_, what)) = refusals.iter().find(|(refused, _)| *refused) {
+            return Err(FluidError::NotShared(what));
+        }
+        let whole = self.shown().clone();
+        let deal = self.dealer(&whole, false);
+        self.share = Share::new(peers, whole, deal);
+        self.take_up_deal();
+        Ok(())
+    }
+
+    /// Brings the state of all particles and forces on all walls to everyone who marches it. All of them call it.
+    pub fn bring(&mut self) {
+        let Self { present, boundary, ledger, share, .. } = self;
+        let [error] = share.greatest([ledger.density_error]);
+        ledger.density_error = error;
+        let Some(shared) = share.shared_mut() else { return };
+        let mut whole = std::mem::take(&mut shared.whole);
+        let known = |particle: usize| shared.deal.known.partition_point(|&known| (known as usize) < particle);
+        let row = |particle: usize| present.row(known(particle));
+        shared.gather(&shared.deal.particles, row, |particle, row| whole.put(particle, row));
+        let (forces, densities, own) = (&boundary.forces, &boundary.densities, &boundary.ledger);
+        let row = |point: usize| {
+            let [x, y, z] = forces[point];
+            [x, y, z, densities[point], own.shares[point], own.owed[point]]
+        };
+        let mut rows = vec![[0.0; 6]; forces.len()];
+        shared.gather(&shared.deal.points, row, |point, row| rows[point] = row);
+        for (point, [x, y, z, density, share, owed]) in rows.into_iter().enumerate() {
+            (boundary.forces[point], boundary.densities[point]) = ([x, y, z], density);
+            (boundary.ledger.shares[point], boundary.ledger.owed[point]) = (share, owed);
+        }
+        shared.whole = whole;
+    }
+
+    /// Numbers of the particles that this one moves, ascending: all, unless others march it too. They change as the fluid flows.
+    pub fn own_particles(&self) -> impl Iterator<Item = usize> {
+        let moves = self.share.moves();
+        let own = (0..self.present.densities.len()).filter(|&i| moves.get(i).is_none_or(|moves| *moves));
+        own.map(|i| self.share.number(i))
+    }
+
+    /// All particles, as they were brought last.
+    pub(crate) fn shown(&self) -> &State {
+        self.share.shared().map_or(&self.present, |shared| &shared.whole)
+    }
+
+    /// Deals all out anew before a drift that ends at a time, if the present deal does not last for it: where particles, or points of
+    /// walls, may go farther from where they were dealt out than is allowed for. Where one step is as much, or cells do not hold all,
+    /// everyone knows all.
+    pub(crate) fn deal_if_due(&mut self, end: f64, dt: f64) {
+        let Some(shared) = self.share.shared() else { return };
+        // The mean velocities of XSPH are no greater than the greatest but for what weights do not sum to one.
+        let ways = [1.1 * dt * self.fastest, self.boundary.way_to(end)];
+        let gone = [shared.gone[0] + ways[0], shared.gone[1] + ways[1]];
+        let allowed = FARTHEST * self.momentum.kernel.reach();
+        let far = |ways: [f64; 2]| !ways.iter().all(|&way| way <= allowed);
+        let spread = !shared.deal.everything && self.grid.may_be_cut_off(self.rest.len());
+        let due = far(gone) || spread;
+        if due {
+            self.bring();
+            self.deal_out(far(ways));
+            // Slots as the last forces had them, by the numbers of who is known now.
+            self.sort(0.0, 0.0);
+            self.fill(0.0, 0.0, true);
+        }
+        if let Some(shared) = self.share.shared_mut() {
+            shared.gone = if due { ways } else { gone };
+        }
+    }
+
+    /// Deals all particles out anew, who are known to everyone at this moment; all of them to everyone if one step takes them too far.
+    pub(crate) fn deal_out(&mut self, too_far: bool) {
+        let Some(shared) = self.share.shared_mut() else { return };
+        let whole = std::mem::take(&mut shared.whole);
+        let deal = self.dealer(&whole, too_far);
+        if let Some(shared) = self.share.shared_mut() {
+            shared.take_up(deal);
+            shared.whole = whole;
+        }
+        self.take_up_deal();
+    }
+
+    /// How all is dealt out to a rank of so many.
+    fn dealer(&self, whole: &State, too_far: bool) -> impl FnOnce(usize, usize) -> Deal + use<> {
+        let width = CELL * self.momentum.kernel.reach();
+        let grid = Grid::around(self.dimensions, whole.positions.iter().copied(), width);
+        let everything = too_far || grid.may_be_cut_off(whole.positions.len());
+        let (dimensions, positions, points) =
+            (self.dimensions, whole.positions.clone(), self.boundary.points.clone());
+        move |rank, count| {
+            Deal::new(
+                &All { dimensions, grid, positions: &positions, points: &points, everything },
+                rank,
+                count,
+            )
+        }
+    }
+
+    /// Keeps of the whole who is known.
+    fn take_up_deal(&mut self) {
+        let Some(shared) = self.share.shared() else { return };
+        self.present = shared.whole.of(&shared.deal.known);
+        let count = self.present.densities.len();
+        self.accelerations.resize(count, [0.0; 3]);
+        self.powers.resize(count, 0.0);
+        self.rates.resize(count, [0.0; 2]);
+        self.drags.resize(if self.formulation.xsph == 0.0 { 0 } else { count }, [0.0; 3]);
+        self.sorted.slots.clear();
+        self.sorted.slots.resize(count, 0);
+        self.fresh = false;
+    }
+}
