@@ -46,6 +46,11 @@ impl Ranks {
         Self { rank, count, riding: Arc::new(Mutex::new(riding)) }
     }
 
+    /// They as a body is given them.
+    pub(crate) fn peers(&self) -> Box<dyn Peers> {
+        Box::new(self.clone())
+    }
+
     /// Which of them this one is, from zero.
     pub fn rank(&self) -> usize {
         self.rank

@@ -1,6 +1,7 @@
 //! A fluid that several march together: what they are refused, how all is dealt out and brought back.
 
 use peers::Peers;
+use sph_core::Vec3;
 
 use crate::cells::Grid;
 use crate::error::FluidError;
@@ -66,6 +67,13 @@ impl Fluid {
         let moves = self.share.moves();
         let own = (0..self.present.densities.len()).filter(|&i| moves.get(i).is_none_or(|moves| *moves));
         own.map(|i| self.share.number(i))
+    }
+
+    /// Velocities of those, in the same order, as they are now \[L/T\].
+    pub fn own_velocities(&self) -> impl Iterator<Item = &Vec3> {
+        let moves = self.share.moves();
+        let all = self.present.velocities.iter().enumerate();
+        all.filter(|(i, _)| moves.get(*i).is_none_or(|moves| *moves)).map(|(_, velocity)| velocity)
     }
 
     /// All particles, as they were brought last.

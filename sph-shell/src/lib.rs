@@ -260,7 +260,7 @@
 //! | ties: force and tangent are derivatives, constant strains and curvatures are balanced, six zero modes, boxes and frames as closed forms say, momentum is kept | tests/ties.rs, tests/ties_answers.rs |
 //! | a tube ovals at 3 D/R³ under follower pressure, at 4 under dead; Newton stays quadratic | `a_tube_buckles_at_three_under_follower_pressure_and_at_four_under_dead`, `residuals_fall_quadratically_under_follower_pressure` |
 //! | sets moved or turned by level: load rates are derivatives; a column shortened by its end buckles like one pressed; a strip rolls up by its end; the march agrees | `load_rates_are_derivatives_with_respect_to_the_level`, `a_column_shortened_by_its_end_buckles_at_the_load_of_one_that_is_pressed`, `a_strip_rolls_up_to_a_ring_by_its_end`, `a_march_with_a_turned_end_finds_the_same` (tests/prescribed.rs) |
-//! | several march it to the same bits: 80 layouts, whole marches, words of refusals | `peers_march_to_the_same_bits_on_many_layouts` (src/time/march.rs), tests/in_time/shared.rs |
+//! | several march it to the same bits: 80 layouts, whole marches, words of refusals | `peers_march_to_the_same_bits_on_many_layouts` (src/time/march/tests.rs), tests/in_time/shared.rs |
 //! | what is enclosed: volumes of open surfaces, potential, tangent beside the pattern, zero modes, tubes on liquids and gas | tests/at_rest/enclosed.rs, tests/in_time/enclosed.rs |
 //! | preloads: derivatives in both load cases, frequencies of a pulled and a pressed strip, of a tube under follower pressure, buckling at what is left, order of two cases | tests/preload.rs |
 //! | a set that turns as one body stores nothing, comes back, twists a strip as St Venant says, in time as at rest | tests/turned_sets.rs |
@@ -285,7 +285,7 @@
 //! | wet points lie below the faces, evenly, over all of the shell | `a_strip_is_wetted_along_its_middle_line`, `points_cover_a_shell_in_space_evenly` |
 //! | in two clocks: the same bits for any threads and after a pause, no allocation, the static answer at rest | tests/coupled.rs |
 //! | what the strong form breaks | `it_does_not_conserve_momentum`, `its_stiffness_is_not_symmetric`, `it_fails_the_membrane_patch` (tests/strong_form.rs) |
-//! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing` (tests/threads.rs); `one_sweep_gives_the_same_bits_on_many_layouts_and_threads` (time/march.rs) |
+//! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing` (tests/threads.rs); `one_sweep_gives_the_same_bits_on_many_layouts_and_threads` (time/march/tests.rs) |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
@@ -335,7 +335,7 @@ pub use conditions::body::{Block, Body, place_block};
 pub use conditions::case::LoadCase;
 pub use conditions::cavity::{Content, Enclosed, Volumes};
 pub use conditions::couple::{CoupleAxis, EdgeCouple};
-pub use conditions::loads::{AppliedLoad, Force, Gravity, Load};
+pub use conditions::loads::{AddLoad, AppliedLoad, Force, Gravity, Load, LoadOnShare};
 pub use conditions::own_contact::OwnContact;
 pub use conditions::preload::Preloaded;
 pub use conditions::prescribed::{Motion, Rotation};

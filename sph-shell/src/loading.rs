@@ -8,6 +8,7 @@ use crate::conditions::case::LoadCase;
 use crate::conditions::cavity::Enclosed;
 use crate::conditions::frozen::FrozenContact;
 use crate::conditions::loads::AppliedLoad;
+use crate::conditions::on_share::OnShare;
 use crate::conditions::own_contact::SelfContact;
 use crate::conditions::springs::Springs;
 use crate::conditions::tools::Tools;
@@ -37,6 +38,8 @@ pub(crate) struct Loading {
     pub push: Option<Box<Push>>,
     /// Forces that other bodies exert on particles; empty of a shell alone.
     pub exerted: Vec<(u32, [f64; 3])>,
+    /// The part of loads and springs that is evaluated here, where others march the shell too.
+    pub on_share: Option<Box<OnShare>>,
     /// External forces; empty without loads.
     external: Vec<Row>,
     /// Whether all of them are zero: there are tools alone, and nothing touches them.
@@ -81,7 +84,13 @@ impl Loading {
             wetted,
             push: None,
             exerted: Vec::new(),
+            on_share: None,
         }
+    }
+
+    /// Adds the forces of the springs on particles in a state.
+    pub fn add_springs(&self, body: &Body<'_>, rows: &mut [Row]) {
+        OnShare::springs(self.on_share.as_deref(), &self.springs).add(body, rows);
     }
 
     /// Lets a function exert forces on so many particles.
@@ -95,9 +104,9 @@ impl Loading {
         if self.idle { &[] } else { &self.external }
     }
 
-    /// The rows of external forces last evaluated; empty without loads.
-    pub fn external_mut(&mut self) -> &mut [Row] {
-        &mut self.external
+    /// The rows of external forces last evaluated, empty without loads, and those of springs among them.
+    pub fn rows_mut(&mut self) -> [&mut [Row]; 2] {
+        [&mut self.external, &mut self.spring_forces]
     }
 
     /// Takes away what other bodies exert.
@@ -219,16 +228,19 @@ impl Loading {
             wetted,
             push,
             exerted,
+            on_share,
             external,
             spring_forces,
             ..
         } = self;
         let body = dependents.loaded(reference, &motion.state);
-        external.fill([0.0; 6]);
-        for applied in loads.iter() {
-            match (applied.load.enclosed(), part) {
-                (Some(enclosed), Part::Rate { .. }) => enclosed.add_rate(scale(applied), &body, external),
-                _ => applied.load.add(scale(applied), &body, external),
+        let on_share = on_share.as_deref();
+        let own = OnShare::clear(on_share, external);
+        for (number, applied) in loads.iter().enumerate() {
+            match (applied.load.enclosed(), part, on_share) {
+                (Some(enclosed), Part::Rate { .. }, _) => enclosed.add_rate(scale(applied), &body, external),
+                (_, _, Some(on_share)) => on_share.add(number, scale(applied), &body, external),
+                (_, _, None) => applied.load.add(scale(applied), &body, external),
             }
         }
         if let Some(surface) = wetted {
@@ -237,7 +249,7 @@ impl Loading {
         if let (Some(push), Some(now)) = (push, now) {
             let vector = |row: &Row| [row[0], row[1], row[2]];
             let of = |a: usize| [reference.from_zero(motion.place(a)).into(), vector(&motion.rates[a])];
-            for (sum, force) in external.iter_mut().zip(push.forces(now, of)) {
+            for (sum, force) in external[own.clone()].iter_mut().zip(&push.forces(now, of)[own.clone()]) {
                 (0..3).for_each(|k| sum[k] += force[k]);
             }
         }
@@ -245,8 +257,9 @@ impl Loading {
             (0..3).for_each(|k| external[*particle as usize][k] += force[k]);
         }
         if now.is_some() && !spring_forces.is_empty() {
-            springs.forces(&body, spring_forces);
-            for (sum, row) in external.iter_mut().zip(&*spring_forces) {
+            OnShare::clear(on_share, spring_forces);
+            OnShare::springs(on_share, springs).add(&body, spring_forces);
+            for (sum, row) in external[own.clone()].iter_mut().zip(&spring_forces[own]) {
                 (0..6).for_each(|k| sum[k] += row[k]);
             }
         }

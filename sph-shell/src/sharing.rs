@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
-use peers::Peers;
+use peers::{Cut, Peers};
 
 use crate::Shell;
+use crate::conditions::on_share::OnShare;
 use crate::error::ShellError;
 use crate::gather::Places;
 use crate::points::bounds::BoundViolation;
@@ -16,14 +17,13 @@ impl Shell {
     /// the whole, with the bits of one who marches it alone; what is read of particles is right after [`Shell::bring`].
     ///
     /// # Errors
-    /// [`ShellError::NotShared`]: strains that are not sampled in cells, junctions, rigid sets and ties, springs, tools, contact, fluids, what is
-    /// enclosed, sections with memory.
+    /// [`ShellError::NotShared`]: strains that are not sampled in cells, junctions, rigid sets and ties, tools, contact, fluids, what is enclosed,
+    /// sections with memory, loads that do not say what they add to a range of particles ([`crate::Load::on_share`]).
     pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), ShellError> {
         let Self { reference, points, dependents, loading, evaluation, .. } = self;
         let refusals = [
             (evaluation.plan.is_none(), "a shell whose strains are not sampled in cells"),
             (!dependents.is_empty(), "a shell with junctions, rigid sets or ties"),
-            (!loading.springs.is_empty(), "a shell on springs"),
             (!loading.tools.is_empty() || loading.own_contact.is_some(), "a shell that may touch"),
             (loading.wetted.is_some(), "a shell in a fluid"),
             (loading.enclosed(1.0).next().is_some(), "a shell that encloses a gas or a liquid"),
@@ -38,8 +38,19 @@ impl Shell {
         for a in 0..particles {
             places.of(a).iter().for_each(|place| packs[place.0 as usize].push(a as u32));
         }
-        let share = Share::new(peers, particles, &packs);
-        evaluation.plan = Some(Fused::plan(&points.packs, &places, share.own(), evaluation.threads));
+        let cut = Cut::even(particles, peers.count());
+        let own = cut.own(peers.rank());
+        let Some((on_share, reads)) = OnShare::new(&loading.loads, &loading.springs, own, reference) else {
+            return Err(ShellError::NotShared(
+                "a shell with a load that does not say what it adds to a range of particles",
+            ));
+        };
+        let share = Share::new(peers, cut, &packs, reads);
+        let ranges = [share.own(), share.interior()];
+        evaluation.plan = Some(Fused::plan(&points.packs, &places, ranges, evaluation.threads));
+        if share.is_shared() {
+            loading.on_share = Some(Box::new(on_share.beside(share.ghosts().to_vec())));
+        }
         self.share = share;
         Ok(())
     }
@@ -48,8 +59,9 @@ impl Shell {
     pub fn bring(&mut self) {
         let Self { points, loading, motion, share, .. } = self;
         if share.is_shared() {
-            let rows =
-                [&mut motion.state[..], &mut motion.rates, points.direct_mut(), loading.external_mut()];
+            share.moved();
+            let [external, of_springs] = loading.rows_mut();
+            let rows = [&mut motion.state[..], &mut motion.rates, points.direct_mut(), external, of_springs];
             rows.into_iter().filter(|rows| !rows.is_empty()).for_each(|rows| share.bring(rows));
         }
     }
@@ -66,15 +78,17 @@ impl Shell {
         let Some(plan) = evaluation.plan.as_ref().filter(|_| share.is_shared()) else {
             return points.first_bound_violation(reference, &motion.state, 0..all);
         };
+        let mut state = motion.state.clone();
+        share.exchange(&mut state);
         // Numbers that are whole are exact as values; the least is the greatest of their opposites.
-        let beyond =
-            |&pack: &usize| points.first_bound_violation(reference, &motion.state, pack..pack + 1).is_some();
+        let beyond = |&pack: &usize| {
+            share.has(pack) && points.first_bound_violation(reference, &state, pack..pack + 1).is_some()
+        };
         let own = plan.packs().find(beyond).map(|pack| (-(pack as f64), pack));
         let (value, pack) = share.greatest(own.into_iter());
         if value == f64::NEG_INFINITY {
             return None;
         }
-        let mut state = motion.state.clone();
         share.bring(&mut state);
         points.first_bound_violation(reference, &state, pack..pack + 1)
     }

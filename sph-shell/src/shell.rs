@@ -177,6 +177,7 @@ impl Shell {
         let (d, position) = (director.normalize(), position - self.reference.origin);
         self.loading.tools.forget();
         self.forget_contact();
+        self.share.moved();
         self.motion.state[particle] = [position.x, position.y, position.z, d.x, d.y, d.z];
     }
 
@@ -191,6 +192,7 @@ impl Shell {
         let fits = state.len() == self.len() && rates.len() == self.len();
         if fits {
             self.loading.tools.forget();
+            self.share.moved();
             self.motion.state.copy_from_slice(state);
             self.motion.rates.copy_from_slice(rates);
             self.forget_contact();
@@ -330,7 +332,12 @@ impl Shell {
     }
 
     pub(crate) fn evaluate_external(&mut self, at: Instant) {
-        let Self { reference, dependents, motion, loading, .. } = self;
+        let Self { reference, dependents, motion, loading, share, .. } = self;
+        if loading.push.is_some() {
+            // The function sees all particles.
+            share.bring(&mut motion.state);
+            share.bring(&mut motion.rates);
+        }
         loading.evaluate(at, reference, dependents, motion);
     }
 

@@ -6,7 +6,6 @@ use std::collections::BTreeMap;
 use contact::{FrontChange, NodalContact};
 use explicit_dynamics::{Dynamics, Exert, Shortened};
 use implicit_statics::Equilibrium;
-use peers::Peers;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 
@@ -20,6 +19,7 @@ use super::resultants::{LoadResultants, Resultant};
 use super::sampled::POINT_NUMBERS;
 use super::yielding::Yielding;
 use crate::Warning;
+use crate::ranks::Ranks;
 use crate::scene::Measured;
 
 /// Particles that move, whatever they are made of.
@@ -150,7 +150,7 @@ pub trait DynamicBody: Body + Dynamics {
     ///
     /// # Errors
     /// What of it one process marches alone.
-    fn share(&mut self, _peers: Box<dyn Peers>) -> Result<(), NotShared> {
+    fn share(&mut self, _ranks: &Ranks) -> Result<(), NotShared> {
         Err(NotShared::Kind)
     }
 

@@ -152,7 +152,7 @@ impl Model {
         if self.barred.is_some() {
             return Err(OneProcess::Errors { started });
         }
-        body.share(Box::new(ranks.clone())).map_err(|what| OneProcess::Body { what, started })?;
+        body.share(ranks).map_err(|what| OneProcess::Body { what, started })?;
         self.ranks = Some(ranks.clone());
         Ok(())
     }

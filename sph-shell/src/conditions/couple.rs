@@ -1,10 +1,12 @@
 //! A couple on directors: about an axis fixed in space, or about the edge as it moves.
 
+use std::ops::Range;
+
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
 use crate::conditions::body::{Block, Body, place_block};
-use crate::conditions::loads::{Load, check_set};
+use crate::conditions::loads::{AddLoad, Load, LoadOnShare, check_set};
 use crate::error::ShellError;
 use crate::reference::Reference;
 
@@ -51,12 +53,23 @@ impl EdgeCouple {
         });
         to - from
     }
-}
 
-impl Load for EdgeCouple {
-    fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
-        let length: f64 = self.edge.iter().map(|e| e.1).sum();
-        for (i, &(particle, part)) in self.edge.iter().enumerate() {
+    /// Length of the whole edge.
+    fn length(&self) -> f64 {
+        self.edge.iter().map(|e| e.1).sum()
+    }
+
+    /// Adds the couple of some places in the row, of an edge of this length.
+    fn add_of(
+        &self,
+        places: impl Iterator<Item = usize>,
+        length: f64,
+        scale: f64,
+        body: &Body<'_>,
+        forces: &mut [[f64; 6]],
+    ) {
+        for i in places {
+            let (particle, part) = self.edge[i];
             let row = &body.state[particle as usize];
             let director = Vec3::new(row[3], row[4], row[5]);
             let torque = self.axis_at(i, body.state).cross(&director) * (scale * self.moment * part / length);
@@ -65,10 +78,28 @@ impl Load for EdgeCouple {
             }
         }
     }
+}
+
+impl Load for EdgeCouple {
+    fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
+        self.add_of(0..self.edge.len(), self.length(), scale, body, forces);
+    }
+
+    fn on_share(&self, own: &Range<usize>, _: &Reference) -> Option<LoadOnShare> {
+        let is_own = |i: &usize| own.contains(&(self.edge[*i].0 as usize));
+        let places: Vec<usize> = (0..self.edge.len()).filter(is_own).collect();
+        let ends = places.iter().flat_map(|&i| self.ends(i));
+        let reads = ends.map(|i| self.edge[i].0).collect();
+        let (couple, length) = (self.clone(), self.length());
+        let add: AddLoad = Box::new(move |scale, body, forces| {
+            couple.add_of(places.iter().copied(), length, scale, body, forces);
+        });
+        Some(LoadOnShare { add, reads })
+    }
 
     /// `∂τ/∂d = m [e]×`, and for an axis along the edge, `e = u/|u|`, `∂τ/∂u = −m [d]× (1 − e eᵀ)/|u|`.
     fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
-        let length: f64 = self.edge.iter().map(|e| e.1).sum();
+        let length = self.length();
         for (i, &(particle, part)) in self.edge.iter().enumerate() {
             let moment = scale * self.moment * part / length;
             let axis = self.axis_at(i, body.state);

@@ -1,5 +1,7 @@
 //! Loads: the trait with its stiffness, dead forces on particles, and gravity.
 
+use std::ops::Range;
+
 use explicit_dynamics::{Amplitude, Instant};
 use sph_core::Vec3;
 
@@ -34,6 +36,12 @@ pub trait Load: Send + Sync {
     /// [`ShellError`] naming the fault.
     fn check(&self, reference: &Reference) -> Result<(), ShellError>;
 
+    /// What the load adds to the particles of a range, for one of several who march the shell. A load says it of every range or of none, and
+    /// then one process marches it alone.
+    fn on_share(&self, _own: &Range<usize>, _reference: &Reference) -> Option<LoadOnShare> {
+        None
+    }
+
     /// What it is of, where its size depends on a volume that the shell encloses.
     fn enclosed(&self) -> Option<&Enclosed> {
         None
@@ -43,6 +51,17 @@ pub trait Load: Send + Sync {
     fn case(&self) -> LoadCase {
         LoadCase::Loading
     }
+}
+
+/// Adds a load times a factor, as [`Load::add`] does.
+pub type AddLoad = Box<dyn Fn(f64, &Body<'_>, &mut [[f64; 6]]) + Send + Sync>;
+
+/// A load on a range of particles.
+pub struct LoadOnShare {
+    /// Adds to the rows of these particles what [`Load::add`] does, to the bit. Of others it may write those that it reads; nobody looks at them.
+    pub add: AddLoad,
+    /// Particles whose positions and directors it reads, beside those of the range.
+    pub reads: Vec<u32>,
 }
 
 /// A load and its course in time.
@@ -77,15 +96,33 @@ pub struct Gravity {
     pub acceleration: Vec3,
 }
 
-impl Load for Force {
-    fn add(&self, scale: f64, _: &Body<'_>, forces: &mut [[f64; 6]]) {
-        let whole: f64 = self.shares.iter().map(|s| s.1).sum();
-        for &(particle, share) in &self.shares {
+impl Force {
+    fn whole(&self) -> f64 {
+        self.shares.iter().map(|s| s.1).sum()
+    }
+
+    /// Adds the force on some of its particles, of the sum of all shares.
+    fn add_of(&self, shares: &[(u32, f64)], whole: f64, scale: f64, forces: &mut [[f64; 6]]) {
+        for &(particle, share) in shares {
             let factor = scale * share / whole;
             for i in 0..3 {
                 forces[particle as usize][i] += factor * self.total[i];
             }
         }
+    }
+}
+
+impl Load for Force {
+    fn add(&self, scale: f64, _: &Body<'_>, forces: &mut [[f64; 6]]) {
+        self.add_of(&self.shares, self.whole(), scale, forces);
+    }
+
+    fn on_share(&self, own: &Range<usize>, _: &Reference) -> Option<LoadOnShare> {
+        let (force, whole) = (self.clone(), self.whole());
+        let shares = self.shares.iter().filter(|(a, _)| own.contains(&(*a as usize)));
+        let shares: Vec<(u32, f64)> = shares.copied().collect();
+        let add: AddLoad = Box::new(move |scale, _, forces| force.add_of(&shares, whole, scale, forces));
+        Some(LoadOnShare { add, reads: Vec::new() })
     }
 
     fn stiffness(&self, _: f64, _: &Body<'_>, _: &mut dyn FnMut(u32, u32, &Block)) {}
@@ -95,13 +132,27 @@ impl Load for Force {
     }
 }
 
-impl Load for Gravity {
-    fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
-        for (row, mass) in forces.iter_mut().zip(body.masses) {
+impl Gravity {
+    fn add_to(&self, forces: &mut [[f64; 6]], masses: &[f64], scale: f64) {
+        for (row, mass) in forces.iter_mut().zip(masses) {
             for i in 0..3 {
                 row[i] += scale * mass * self.acceleration[i];
             }
         }
+    }
+}
+
+impl Load for Gravity {
+    fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
+        self.add_to(forces, body.masses, scale);
+    }
+
+    fn on_share(&self, own: &Range<usize>, _: &Reference) -> Option<LoadOnShare> {
+        let (gravity, own) = (*self, own.clone());
+        let add: AddLoad = Box::new(move |scale, body, forces| {
+            gravity.add_to(&mut forces[own.clone()], &body.masses[own.clone()], scale);
+        });
+        Some(LoadOnShare { add, reads: Vec::new() })
     }
 
     fn stiffness(&self, _: f64, _: &Body<'_>, _: &mut dyn FnMut(u32, u32, &Block)) {}

@@ -8,6 +8,7 @@ pub(crate) mod couple;
 mod enclosed;
 pub(crate) mod frozen;
 pub(crate) mod loads;
+pub(crate) mod on_share;
 pub(crate) mod own_contact;
 pub(crate) mod preload;
 pub(crate) mod prescribed;

@@ -1,11 +1,13 @@
 //! What belongs to the preload: a load or a support that says so, and is else what it was.
 
+use std::ops::Range;
+
 use sph_core::Vec3;
 
 use crate::conditions::body::{Block, Body};
 use crate::conditions::case::LoadCase;
 use crate::conditions::cavity::Enclosed;
-use crate::conditions::loads::Load;
+use crate::conditions::loads::{Load, LoadOnShare};
 use crate::conditions::prescribed::{Motion, Rotation};
 use crate::conditions::supports::{Holds, Support};
 use crate::error::ShellError;
@@ -29,6 +31,10 @@ impl Load for Preloaded<Box<dyn Load>> {
 
     fn check(&self, reference: &Reference) -> Result<(), ShellError> {
         self.0.check(reference)
+    }
+
+    fn on_share(&self, own: &Range<usize>, reference: &Reference) -> Option<LoadOnShare> {
+        self.0.on_share(own, reference)
     }
 
     fn enclosed(&self) -> Option<&Enclosed> {

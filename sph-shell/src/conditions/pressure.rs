@@ -1,9 +1,11 @@
 //! Pressure on the shell or on some of its cells: dead (reference normal and area) or follower (present normal and area).
 
+use std::ops::Range;
+
 use sph_core::{Cell, Vec3};
 
 use crate::conditions::body::{Block, Body, place_block};
-use crate::conditions::loads::Load;
+use crate::conditions::loads::{AddLoad, Load, LoadOnShare};
 use crate::conditions::spread::check_cells;
 use crate::error::ShellError;
 use crate::reference::Reference;
@@ -94,6 +96,11 @@ impl Load for Pressure {
         self.add_of(&body.reference.cloud.cells, scale, body, forces, |_| 1.0);
     }
 
+    fn on_share(&self, own: &Range<usize>, reference: &Reference) -> Option<LoadOnShare> {
+        let cells = (0..reference.cloud.cells.len() as u32).collect();
+        PressurePatch { pressure: *self, cells, factors: Vec::new() }.on_share(own, reference)
+    }
+
     fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
         self.stiffness_of(&body.reference.cloud.cells, scale, body, put, |_| 1.0);
     }
@@ -116,6 +123,16 @@ impl PressurePatch {
 impl Load for PressurePatch {
     fn add(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]]) {
         self.pressure.add_of(self.own(body), scale, body, forces, |particle| self.factor(particle));
+    }
+
+    fn on_share(&self, own: &Range<usize>, reference: &Reference) -> Option<LoadOnShare> {
+        let corners = |cell: u32| reference.cloud.cells[cell as usize].particles();
+        let touch = |cell: &u32| corners(*cell).iter().any(|&a| own.contains(&(a as usize)));
+        let cells: Vec<u32> = self.cells.iter().copied().filter(touch).collect();
+        let reads = cells.iter().flat_map(|&cell| corners(cell)).copied().collect();
+        let patch = Self { cells, ..self.clone() };
+        let add: AddLoad = Box::new(move |scale, body, forces| patch.add(scale, body, forces));
+        Some(LoadOnShare { add, reads })
     }
 
     fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {

@@ -1,11 +1,13 @@
 //! Sets that are rigid: which groups they become, and what is refused.
 
+use std::ops::Range;
+
 use nalgebra::Matrix3;
 use sph_core::Vec3;
 
 use crate::conditions::body::{Block, Body};
 use crate::conditions::constraints::Constraints;
-use crate::conditions::loads::{Load, check_set};
+use crate::conditions::loads::{Load, LoadOnShare, check_set};
 use crate::conditions::supports::{Constraint, Holds};
 use crate::error::ShellError;
 use crate::junction::body::{Inertia, RigidBody};
@@ -69,6 +71,10 @@ impl Load for RigidLoad {
 
     fn check(&self, _: &Reference) -> Result<(), ShellError> {
         Ok(())
+    }
+
+    fn on_share(&self, _: &Range<usize>, _: &Reference) -> Option<LoadOnShare> {
+        Some(LoadOnShare { add: Box::new(|_, _, _| ()), reads: Vec::new() })
     }
 }
 

@@ -30,7 +30,7 @@ impl Evaluation {
         let plan = match points.scheme {
             Scheme::Cells { .. } => {
                 let places = Places::new(&points.packs, &reference.operator);
-                Some(Fused::plan(&points.packs, &places, 0..count, threads))
+                Some(Fused::plan(&points.packs, &places, [0..count, 0..count], threads))
             }
             Scheme::Wide { .. } | Scheme::StrongForm { .. } => None,
         };

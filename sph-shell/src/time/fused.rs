@@ -26,7 +26,13 @@ const BLOCK: usize = 16;
 /// The plan of a sweep, with its rings.
 #[derive(Clone, Debug)]
 pub(crate) struct Fused {
+    /// Those with particles that others need, which come first.
+    border: Vec<Part>,
     parts: Vec<Part>,
+    /// The first particle of all.
+    first: usize,
+    /// Whether parts go to several threads.
+    split: bool,
 }
 
 /// One thread's share.
@@ -63,43 +69,67 @@ struct Move<'a> {
 struct Keep<'a>(&'a mut [Row]);
 
 impl Fused {
-    /// Plans the sweep over cells for a range of particles, which begins at a whole chunk.
-    pub fn plan(packs: &Packs, places: &Places, own: Range<usize>, threads: usize) -> Self {
-        let chunks = own.len().div_ceil(parallel::CHUNK);
-        let border = |part: usize| (own.start + chunks * part / threads * parallel::CHUNK).min(own.end);
-        let part = |part| Part::plan(packs, places, border(part)..border(part + 1));
-        Self { parts: (0..threads).map(part).collect() }
+    /// Plans the sweep over cells for a range of particles and its interior, in whole chunks: what is before and behind the interior comes first.
+    pub fn plan(packs: &Packs, places: &Places, [own, interior]: [Range<usize>; 2], threads: usize) -> Self {
+        let chunks = interior.len().div_ceil(parallel::CHUNK);
+        let seam =
+            |part: usize| (interior.start + chunks * part / threads * parallel::CHUNK).min(interior.end);
+        let ends = [own.start..interior.start, interior.end..own.end];
+        let ends = ends.into_iter().filter(|end| !end.is_empty());
+        Self {
+            border: ends.map(|end| Part::plan(packs, places, end)).collect(),
+            parts: (0..threads).map(|part| Part::plan(packs, places, seam(part)..seam(part + 1))).collect(),
+            first: own.start,
+            split: threads > 1,
+        }
+    }
+
+    fn all(&self) -> impl Iterator<Item = &Part> {
+        self.border.iter().chain(&self.parts)
     }
 
     /// The packs that are swept, a range that holds them.
     pub fn packs(&self) -> Range<usize> {
-        let parts = || self.parts.iter().filter(|part| !part.packs.is_empty());
+        let parts = || self.all().filter(|part| !part.packs.is_empty());
         let first = parts().map(|part| part.packs.start).min().unwrap_or(0);
         first..parts().map(|part| part.packs.end).max().unwrap_or(first)
     }
 
-    /// Sweeps all points and moves all particles on, with the work of every chunk.
-    pub fn advance(&mut self, sweep: &Sweep<'_>, update: &Update<'_>, rows: Rows<'_>, work: &mut [Work]) {
+    /// Sweeps all points and moves all particles on, with the work of every chunk; the new rows are shown when those on the border are done.
+    pub fn advance(
+        &mut self,
+        sweep: &Sweep<'_>,
+        update: &Update<'_>,
+        rows: Rows<'_>,
+        work: &mut [Work],
+        show: impl FnOnce(&[Row]),
+    ) {
         work.fill(Work::default());
-        let task = Move { update, rows, work };
-        run(sweep, &mut self.parts, task);
+        let Self { border, parts, first, split } = self;
+        let Rows { state, next, rates } = rows;
+        let rows = Rows { state, next: &mut *next, rates: &mut *rates };
+        run(sweep, border, *first, *split, Move { update, rows, work: &mut *work });
+        show(next);
+        run(sweep, parts, *first, *split, Move { update, rows: Rows { state, next, rates }, work });
     }
 
     /// Sweeps all points for the forces on all particles.
     pub fn forces(&mut self, sweep: &Sweep<'_>, forces: &mut [Row]) {
-        run(sweep, &mut self.parts, Keep(forces));
+        let Self { border, parts, first, split } = self;
+        run(sweep, border, *first, *split, Keep(&mut *forces));
+        run(sweep, parts, *first, *split, Keep(forces));
     }
 
     /// Energy of a pack, by the last sweep that was asked for it \[F L\]; packs on a border have the same in both parts.
     pub fn energy(&self, pack: usize) -> f64 {
-        let part = self.parts.iter().find(|part| part.packs.contains(&pack));
+        let part = self.all().find(|part| part.packs.contains(&pack));
         part.map_or(0.0, |part| part.energies[pack - part.packs.start])
     }
 
     /// Bytes of rings and lists.
     pub fn bytes(&self) -> usize {
         let part = |part: &Part| part.ring.bytes() + part.lists.bytes() + size_of_val(&part.energies[..]);
-        self.parts.iter().map(part).sum()
+        self.all().map(part).sum()
     }
 }
 
@@ -231,17 +261,24 @@ impl Task for Keep<'_> {
     }
 }
 
-/// All parts, halved until each thread has one.
-fn run<T: Task>(sweep: &Sweep<'_>, parts: &mut [Part], task: T) {
+/// Parts, ascending, with a task that counts from some particle; halved until each thread has one where they are split between threads.
+fn run<T: Task>(sweep: &Sweep<'_>, parts: &mut [Part], first: usize, split: bool, task: T) {
+    let half = parts.len() / 2;
     match parts {
         [] => {}
-        [part] => part.run(sweep, task),
+        [part] => part.run(sweep, task.split(part.particles.start - first).1),
         _ => {
-            let half = parts.len() / 2;
-            let cut = parts[half].particles.start - parts[0].particles.start;
+            let cut = parts[half].particles.start;
             let (left, right) = parts.split_at_mut(half);
-            let (left_task, right_task) = task.split(cut);
-            rayon::join(|| run(sweep, left, left_task), || run(sweep, right, right_task));
+            let (left_task, right_task) = task.split(cut - first);
+            let left = || run(sweep, left, first, split, left_task);
+            let right = || run(sweep, right, cut, split, right_task);
+            if split {
+                rayon::join(left, right);
+            } else {
+                left();
+                right();
+            }
         }
     }
 }

@@ -1,8 +1,11 @@
 //! Who marches a shell together: whose particles are whose, what they exchange, sums over all of them.
 //!
 //! Each has the whole arrays, sweeps every pack that touches particles of its own and moves these alone; positions and directors of the
-//! particles of others in such packs come in before a sweep. Works of chunks, energies of packs and products of vectors are added exactly
-//! ([`peers::Exact`]), so that a march has the same bits whoever marches it, alone too.
+//! particles of others in such packs, its *ghosts*, come in before a sweep. Works of chunks, energies of packs and products of vectors are added
+//! exactly ([`peers::Exact`]), so that a march has the same bits whoever marches it, alone too.
+//!
+//! Chunks with particles that others need are swept first, and their new rows are sent at once: they are under way while the interior is swept, and
+//! are taken as the next step begins.
 
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -14,14 +17,38 @@ use crate::packs::Row;
 /// Numbers of a row of position and director.
 const WIDTH: usize = 6;
 
+/// An interior shorter than so many times its share is swept with the border: the points at its ends would be swept twice for little.
+const LEAST_INTERIOR: f64 = 0.5;
+
 /// Shares begin where chunks do.
 const _: () = assert!(peers::CHUNK == parallel::CHUNK);
 
+/// Where the rows of ghosts are.
+#[derive(Clone, Copy, PartialEq)]
+enum Ghosts {
+    /// What is here is none of the present state.
+    Old,
+    /// They have been sent, and not yet taken.
+    UnderWay,
+    /// They are here.
+    Here,
+}
+
+/// Who carries rows and sums, and what it carries.
+struct Carrier {
+    peers: Box<dyn Peers>,
+    ghosts: Ghosts,
+}
+
 /// One of those who march a shell.
 pub(crate) struct Share {
-    peers: Mutex<Box<dyn Peers>>,
+    carrier: Mutex<Carrier>,
     cut: Cut,
     own: Range<usize>,
+    /// Own particles in whole chunks of which nobody else needs any.
+    interior: Range<usize>,
+    /// Particles of others whose rows come in.
+    ghosts: Vec<u32>,
     lane: Option<Lane>,
     /// Whether this one adds the energy of a pack, of which there may be several copies; all of them where it is alone.
     packs: Vec<bool>,
@@ -31,31 +58,36 @@ impl Share {
     /// Of a shell that is marched by one.
     pub fn alone(particles: usize) -> Self {
         Self {
-            peers: Mutex::new(Box::new(Alone)),
+            carrier: Mutex::new(Carrier { peers: Box::new(Alone), ghosts: Ghosts::Old }),
             cut: Cut::even(particles, 1),
             own: 0..particles,
+            interior: 0..particles,
+            ghosts: Vec::new(),
             lane: None,
             packs: Vec::new(),
         }
     }
 
-    /// Of one of several, from the particles of each pack.
-    pub fn new(mut peers: Box<dyn Peers>, particles: usize, packs: &[Vec<u32>]) -> Self {
-        let cut = Cut::even(particles, peers.count());
+    /// Of one of several, from the particles of each pack and what it reads of others beside.
+    pub fn new(mut peers: Box<dyn Peers>, cut: Cut, packs: &[Vec<u32>], reads: Vec<u32>) -> Self {
         let own = cut.own(peers.rank());
         let is_own = |a: &u32| own.contains(&(*a as usize));
         let touched = packs.iter().filter(|pack| pack.iter().any(is_own));
-        let needs: Vec<u32> = touched.flatten().copied().collect();
+        let needs: Vec<u32> = touched.flatten().copied().chain(reads).collect();
         let lists = agree(&mut *peers, &cut, &needs);
         let lane = (peers.count() > 1).then(|| peers.open(&lists, WIDTH));
+        let partners = || lists.partners().iter();
+        let ghosts = partners().flat_map(|partner| &partner.take).copied().collect();
+        let interior = interior(&own, partners().flat_map(|partner| &partner.send).copied());
         // The owner of its least particle adds the energy of a pack.
         let first = |pack: &Vec<u32>| pack.iter().min().is_some_and(is_own);
         let packs = packs.iter().map(first).collect();
-        Self { peers: Mutex::new(peers), cut, own, lane, packs }
+        let carrier = Mutex::new(Carrier { peers, ghosts: Ghosts::Old });
+        Self { carrier, cut, own, interior, ghosts, lane, packs }
     }
 
-    fn peers(&self) -> MutexGuard<'_, Box<dyn Peers>> {
-        self.peers.lock().unwrap_or_else(PoisonError::into_inner)
+    fn carrier(&self) -> MutexGuard<'_, Carrier> {
+        self.carrier.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The particles that this one moves.
@@ -68,23 +100,69 @@ impl Share {
         self.own.start / parallel::CHUNK..self.own.end.div_ceil(parallel::CHUNK)
     }
 
+    /// Those that are moved while new rows of the others are under way: all of one who is alone.
+    pub fn interior(&self) -> Range<usize> {
+        self.interior.clone()
+    }
+
+    /// Particles of others whose rows come in.
+    pub fn ghosts(&self) -> &[u32] {
+        &self.ghosts
+    }
+
+    /// Whether it is this one that adds the energy of a pack, and looks after its points.
+    pub fn has(&self, pack: usize) -> bool {
+        self.packs.get(pack).is_none_or(|own| *own)
+    }
+
     /// Whether there are others.
     pub fn is_shared(&self) -> bool {
         self.lane.is_some()
     }
 
-    /// Brings rows of the particles that its packs touch.
+    /// Brings rows of ghosts as their owners have them now, whatever has been sent before; what comes next does not rely on them.
     pub fn exchange(&self, rows: &mut [Row]) {
+        self.moved();
+        self.arrive(rows);
+        self.carrier().ghosts = Ghosts::Old;
+    }
+
+    /// Brings rows of ghosts, which may be under way or here already, unless [`Share::moved`] says otherwise.
+    pub fn arrive(&self, rows: &mut [Row]) {
         let Some(lane) = &self.lane else { return };
-        let mut peers = self.peers();
-        peers.send(lane, &|a, row| row.copy_from_slice(&rows[a as usize]));
+        let Carrier { peers, ghosts } = &mut *self.carrier();
+        if *ghosts == Ghosts::Here {
+            return;
+        }
+        if *ghosts == Ghosts::Old {
+            peers.send(lane, &|a, row| row.copy_from_slice(&rows[a as usize]));
+        }
         peers.take(lane, &mut |a, row| rows[a as usize].copy_from_slice(row));
+        *ghosts = Ghosts::Here;
+    }
+
+    /// Sends own rows of the next state, which begin with the first own particle: the others take them by [`Share::arrive`].
+    pub fn send(&self, next: &[Row]) {
+        let Some(lane) = &self.lane else { return };
+        let Carrier { peers, ghosts } = &mut *self.carrier();
+        peers.send(lane, &|a, row| row.copy_from_slice(&next[a as usize - self.own.start]));
+        *ghosts = Ghosts::UnderWay;
+    }
+
+    /// Particles have moved otherwise than by a step whose rows were sent: what is under way is dropped.
+    pub fn moved(&self) {
+        let Some(lane) = &self.lane else { return };
+        let Carrier { peers, ghosts } = &mut *self.carrier();
+        if *ghosts == Ghosts::UnderWay {
+            peers.take(lane, &mut |_, _| ());
+        }
+        *ghosts = Ghosts::Old;
     }
 
     /// Brings rows of all particles to all.
     pub fn bring(&self, rows: &mut [Row]) {
         if self.is_shared() {
-            self.peers().gather_to_all(&self.cut, rows.as_flattened_mut(), WIDTH);
+            self.carrier().peers.gather_to_all(&self.cut, rows.as_flattened_mut(), WIDTH);
         }
     }
 
@@ -101,13 +179,13 @@ impl Share {
         for own in numbers {
             sums.iter_mut().zip(own).for_each(|(sum, number)| sum.add(number));
         }
-        self.peers().add(&mut sums, &mut []);
+        self.carrier().peers.add(&mut sums, &mut []);
         sums.map(|sum| sum.value())
     }
 
     /// Adds energies of so many packs over all, each once.
     pub fn energy(&self, packs: usize, of: impl Fn(usize) -> f64) -> f64 {
-        let own = (0..packs).filter(|&pack| self.packs.get(pack).is_none_or(|own| *own));
+        let own = (0..packs).filter(|&pack| self.has(pack));
         let [sum] = self.sum(own.map(|pack| [of(pack)]));
         sum
     }
@@ -127,7 +205,24 @@ impl Share {
         let found =
             own.fold(Greatest::NONE, |best, (value, number)| best.or(Greatest::of(value, number as u64)));
         let mut found = [found];
-        self.peers().greatest(&mut found);
+        self.carrier().peers.greatest(&mut found);
         (found[0].value(), found[0].number() as usize)
     }
+}
+
+/// The longest run of whole chunks of own particles without any that are sent; nothing if it is short.
+fn interior(own: &Range<usize>, sent: impl Iterator<Item = u32>) -> Range<usize> {
+    let mut sends = vec![false; own.len().div_ceil(parallel::CHUNK)];
+    sent.for_each(|a| sends[(a as usize - own.start) / parallel::CHUNK] = true);
+    let (mut longest, mut start) = (0..0, 0);
+    for (chunk, sends) in sends.iter().enumerate() {
+        if *sends {
+            start = chunk + 1;
+        } else if chunk + 1 - start > longest.len() {
+            longest = start..chunk + 1;
+        }
+    }
+    let place = |chunk: usize| (own.start + chunk * parallel::CHUNK).min(own.end);
+    let found = place(longest.start)..place(longest.end);
+    if found.len() as f64 >= LEAST_INTERIOR * own.len() as f64 { found } else { own.end..own.end }
 }

@@ -50,7 +50,7 @@ impl LinearisedDynamics for Shell {
             self.evaluate_internal(false);
             if !self.loading.spring_forces.is_empty() {
                 let body = self.dependents.loaded(&self.reference, &self.motion.state);
-                self.loading.springs.forces(&body, force);
+                self.loading.add_springs(&body, force);
             }
             if self.loading.touches() {
                 self.loading.add_contact_bounds(&self.motion.state, &home, force);

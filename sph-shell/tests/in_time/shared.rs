@@ -1,13 +1,13 @@
 //! A shell that several march together: whole marches to the same bits, what is read of it, and what one marches alone.
 
 use crate::common::{self, Sheets, flat, parts, records, shell, supported};
-use explicit_dynamics::{Amplitude, Bounds, Damping, Dynamics, Plan, QuasiStatic, Transient};
+use explicit_dynamics::{Amplitude, Bounds, Damping, Dynamics, Instant, Plan, QuasiStatic, Step, Transient};
 use peers::{Peers, together};
 use shell_kinematics::StretchCorrected;
 use sph_core::{Side, Vec3};
 use sph_shell::{
-    Clamped, Content, Enclosed, Formulation, Gravity, Load, Moved, Pressure, Reach, Shell, ShellError,
-    Spring, Springs, SymmetryPlane,
+    Block, Body, Clamped, Content, Enclosed, Formulation, Gravity, Load, Moved, Pressure, Reach, Reference,
+    Shell, ShellError, SymmetryPlane,
 };
 
 const CELLS: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -83,18 +83,34 @@ fn particles_are_shared_out() {
 fn all_refuse_a_state_beyond_the_model() {
     let words = |peers: Option<Box<dyn Peers>>| {
         let mut shell = strip();
+        if let Some(peers) = peers {
+            shell.share(peers).unwrap();
+        }
+        // In a march: particles of others are behind.
+        let at = |time: f64| Instant { time, level: time };
+        let step = |time: f64| Step { from: at(time), to: at(time + 1e-4), kick: 1e-4, damping: 0.0 };
+        (0..3).for_each(|number| _ = shell.advance(&step(1e-4 * f64::from(number))));
         let a = 1300;
         shell.set_state(a, shell.position(a) + Vec3::new(0.5, 0.0, 0.0), shell.director(a));
-        let shell = match peers {
-            Some(peers) => shared(shell, peers),
-            None => shell,
-        };
         shell.within_bounds(Bounds::Configuration).unwrap_err().to_string()
     };
     let alone = words(None);
     println!("{alone}");
     for count in [2, 3] {
         assert_eq!(together(count, |peers| words(Some(peers))).unwrap(), vec![alone.clone(); count]);
+    }
+}
+
+/// A load that says nothing of shares.
+struct Unsaid;
+
+impl Load for Unsaid {
+    fn add(&self, _: f64, _: &Body<'_>, _: &mut [[f64; 6]]) {}
+
+    fn stiffness(&self, _: f64, _: &Body<'_>, _: &mut dyn FnMut(u32, u32, &Block)) {}
+
+    fn check(&self, _: &Reference) -> Result<(), ShellError> {
+        Ok(())
     }
 }
 
@@ -111,17 +127,14 @@ fn what_is_not_shared_is_refused() {
     let plate = || flat([5, 5], [1.0, 1.0]);
     let wide = || Shell::builder(parts(plate(), common::energy_formulations()[1].1, 0.1)).build().unwrap();
     let frame = || Shell::builder(parts(common::tee(2, 1.0, 2), CELLS, 0.1)).build().unwrap();
-    let springs = || {
-        let spring = Spring { stiffness: vec![(3, 1.0)], direction: Vec3::z() };
-        Shell::builder(parts(plate(), CELLS, 0.1)).springs(Springs::from(vec![spring])).build().unwrap()
-    };
+    let own = || shell(plate(), CELLS, 0.1, &StretchCorrected, Vec::new(), vec![Box::new(Unsaid)]);
     let gas = || {
         let cloud = Sheets::boxed(Vec3::new(1.0, 1.0, 1.0), [2, 2, 2]).welded();
         let content = Content::Gas { pressure: 1.0, ambient: 1.0, exponent: 1.0 };
         let load: Box<dyn Load> = Box::new(Enclosed::new((0..24).collect(), content, 0.0));
         shell(cloud, CELLS, 0.1, &StretchCorrected, Vec::new(), vec![load])
     };
-    let said = [refused(&wide), refused(&frame), refused(&springs), refused(&gas)];
+    let said = [refused(&wide), refused(&frame), refused(&own), refused(&gas)];
     println!("{said:?}");
     assert!(said.iter().all(|what| what.starts_with("a shell ")), "{said:?}");
     let symmetry = || {

@@ -7,7 +7,7 @@ use contact::NodalContact;
 use explicit_dynamics::{
     Bounds, Dynamics, Instant, MarchError, OutOfBounds, Shortened, StableStep, Step, TwoClocks, Wetted, Work,
 };
-use fluid_sph::Fluid;
+use fluid_sph::{Fluid, FluidError};
 use sph_core::{Cell, Vec3};
 
 use super::gauges::at_point;
@@ -18,7 +18,8 @@ use crate::bodies::fluid::escaped::{Sides, lost};
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::{fields, figures};
 use crate::bodies::together::{Parts, kept_between, take_up_between};
-use crate::bodies::{ContactNow, FieldRequest, FieldSource, Outline, With, Yielding};
+use crate::bodies::{ContactNow, FieldRequest, FieldSource, NotShared, Outline, With, Yielding};
+use crate::ranks::Ranks;
 use crate::scene::Measured;
 
 /// A structure that a fluid wets, as the application asks of it.
@@ -50,6 +51,8 @@ pub(super) struct Coupled {
     pub speeds: Speeds,
     /// What is looked at where a run records.
     pub watch: Watch,
+    /// Those who march it together; none where one process does.
+    pub ranks: Option<Ranks>,
 }
 
 impl Coupled {
@@ -289,7 +292,7 @@ impl Dynamics for Coupled {
 
     fn kick(&mut self, step: &Step) -> Work {
         let work = self.clocks.kick(step);
-        self.speeds.watch(self.clocks.fluid());
+        self.speeds.watch(self.clocks.fluid(), self.ranks.as_mut());
         work
     }
 
@@ -299,7 +302,7 @@ impl Dynamics for Coupled {
 
     fn advance(&mut self, step: &Step) -> Work {
         let work = self.clocks.advance(step);
-        self.speeds.watch(self.clocks.fluid());
+        self.speeds.watch(self.clocks.fluid(), self.ranks.as_mut());
         work
     }
 
@@ -321,6 +324,21 @@ impl Dynamics for Coupled {
 }
 
 impl DynamicBody for Coupled {
+    fn share(&mut self, ranks: &Ranks) -> Result<(), NotShared> {
+        self.clocks.fluid_mut().share(ranks.peers()).map_err(|refused| match refused {
+            FluidError::NotShared(what) => NotShared::Part(what),
+            _ => NotShared::Kind,
+        })?;
+        self.ranks = Some(ranks.clone());
+        Ok(())
+    }
+
+    fn bring(&mut self) {
+        let Some(ranks) = &mut self.ranks else { return };
+        self.clocks.fluid_mut().bring();
+        self.speeds.bring(ranks);
+    }
+
     fn look(&mut self, time: f64) {
         self.watch.look(time, &self.clocks);
     }

@@ -2,10 +2,12 @@
 
 use explicit_dynamics::Counts;
 use fluid_sph::{Energies, Fluid};
+use peers::{Greatest, Peers};
 use sph_core::Vec3;
 
 use super::late;
 use crate::bodies::{Diagnostics, FluidFigures};
+use crate::ranks::Ranks;
 use crate::warning::{Warning, WarningKind};
 
 /// Change of density beyond which pressures are off by more than the method's own error: half as much again as sound dam breaks
@@ -36,19 +38,30 @@ impl Speeds {
         Self { wave: late::wave(fluid), ..Self::default() }
     }
 
-    /// Looks at the particles.
-    pub fn watch(&mut self, fluid: &Fluid) {
+    /// Looks at the particles; those of all who march it, where several do.
+    pub fn watch(&mut self, fluid: &Fluid, ranks: Option<&mut Ranks>) {
         let bound = (fluid.liquid().sound_speed / SLOW).powi(2);
         let wave = self.wave * self.wave;
-        let (mut greatest, mut fast, mut ran) = (0.0_f64, 0_usize, 0_usize);
-        for square in fluid.velocities().iter().map(Vec3::norm_squared) {
+        let (mut greatest, mut counts) = (0.0_f64, [0, 0]);
+        for square in fluid.own_velocities().map(Vec3::norm_squared) {
             greatest = greatest.max(square);
-            fast += usize::from(square > bound);
-            ran += usize::from(square > wave);
+            counts[0] += i64::from(square > bound);
+            counts[1] += i64::from(square > wave);
         }
+        if let Some(ranks) = ranks {
+            ranks.add(&mut [], &mut counts);
+        }
+        let [fast, ran] = counts;
         self.greatest = self.greatest.max(greatest.sqrt());
         self.fast = self.fast.max(fast as f64 / fluid.len() as f64);
         self.ran = self.ran.max(ran as f64 / fluid.len() as f64);
+    }
+
+    /// Takes in what the others saw.
+    pub fn bring(&mut self, ranks: &mut Ranks) {
+        let mut found = [Greatest::of(self.greatest, 0)];
+        ranks.greatest(&mut found);
+        self.greatest = found[0].value();
     }
 }
 

@@ -4,7 +4,6 @@ use std::ops::DerefMut;
 
 use contact::{FrontChange, NodalContact};
 use explicit_dynamics::{Dynamics, Exert};
-use peers::Peers;
 use sph_core::Vec3;
 use sph_shell::{Formulation, LoadCase, PointResult, Shell, ShellError, StaticShell};
 
@@ -21,6 +20,7 @@ use crate::bodies::sampled::POINT_NUMBERS;
 use crate::bodies::{
     ContactFields, ContactNow, FieldRequest, FieldSource, NotShared, Outline, Resultant, Yielding,
 };
+use crate::ranks::Ranks;
 use crate::scene::Measured;
 
 /// What a checkpoint calls the lists of a shell that touches itself.
@@ -145,8 +145,8 @@ impl Body for Shell {
 }
 
 impl DynamicBody for Shell {
-    fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), NotShared> {
-        Shell::share(self, peers).map_err(|refused| match refused {
+    fn share(&mut self, ranks: &Ranks) -> Result<(), NotShared> {
+        Shell::share(self, ranks.peers()).map_err(|refused| match refused {
             ShellError::NotShared(what) => NotShared::Part(what),
             _ => NotShared::Kind,
         })

@@ -4,12 +4,13 @@ use std::borrow::Cow;
 use std::ops::DerefMut;
 
 use explicit_dynamics::{Dynamics, Exert};
-use peridynamics::{Solid, StaticSolid};
+use peridynamics::{Solid, SolidError, StaticSolid};
 use sph_core::Vec3;
 
 use super::fields::fields;
 use crate::bodies::body::{Body, Configuration, DynamicBody, Mismatch, StateArray, StaticBody};
-use crate::bodies::{FieldRequest, FieldSource, Outline, Yielding};
+use crate::bodies::{FieldRequest, FieldSource, NotShared, Outline, Yielding};
+use crate::ranks::Ranks;
 use crate::scene::Measured;
 
 impl Body for Solid {
@@ -96,6 +97,17 @@ impl Body for Solid {
 }
 
 impl DynamicBody for Solid {
+    fn share(&mut self, ranks: &Ranks) -> Result<(), NotShared> {
+        Solid::share(self, ranks.peers()).map_err(|refused| match refused {
+            SolidError::NotShared(what) => NotShared::Part(what),
+            _ => NotShared::Kind,
+        })
+    }
+
+    fn bring(&mut self) {
+        Solid::bring(self);
+    }
+
     fn push(&mut self, exert: Exert) -> Result<(), Exert> {
         Solid::push(self, exert);
         Ok(())

@@ -12,6 +12,8 @@
 mod of_bodies;
 mod turning;
 
+use std::ops::Range;
+
 use sph_core::Vec3;
 
 use crate::conditions::body::{Block, Body, place_block};
@@ -116,9 +118,26 @@ impl Springs {
         Ok(self)
     }
 
-    /// Forces of all springs on particles in a state, a row each particle.
-    pub(crate) fn forces(&self, body: &Body<'_>, rows: &mut [Row]) {
-        rows.fill([0.0; 6]);
+    /// Those on particles of a range.
+    pub(crate) fn on_share(&self, own: &Range<usize>) -> Self {
+        let is_own = |a: u32| own.contains(&(a as usize));
+        let mut springs = Self { of_bodies: Vec::new(), ..self.clone() };
+        springs.ground.iter_mut().for_each(|spring| spring.stiffness.retain(|s| is_own(s.0)));
+        springs.turning.iter_mut().for_each(|spring| spring.stiffness.retain(|s| is_own(s.0)));
+        springs
+            .between
+            .iter_mut()
+            .for_each(|spring| spring.stiffness.retain(|s| s.0.into_iter().any(is_own)));
+        springs
+    }
+
+    /// Particles between which there are springs.
+    pub(crate) fn ends(&self) -> impl Iterator<Item = u32> {
+        self.between.iter().flat_map(|spring| &spring.stiffness).flat_map(|(ends, _)| *ends)
+    }
+
+    /// Adds the forces of all springs on particles in a state, a row each particle.
+    pub(crate) fn add(&self, body: &Body<'_>, rows: &mut [Row]) {
         let way = |a: u32| {
             let row = &body.state[a as usize];
             Vec3::new(row[0], row[1], row[2]) - body.reference.cloud.positions[a as usize]
