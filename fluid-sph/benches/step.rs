@@ -5,12 +5,11 @@
 
 mod waters;
 
-use std::fs;
 use std::time::Instant;
 
 use explicit_dynamics::Clock;
 use fluid_sph::{Fluid, Scheme};
-use waters::{Water, steps};
+use waters::{Water, steps, thread_seconds};
 
 const KICK: Scheme = Scheme::KickDriftKick;
 const WATERS: [Water; 5] = [
@@ -67,11 +66,4 @@ fn median(fluid: &mut Fluid, clock: &mut Clock, seconds: impl Fn() -> f64) -> f6
         .collect();
     times.sort_by(f64::total_cmp);
     times[ROUNDS / 2]
-}
-
-/// Time of the processor on this thread \[s\].
-fn thread_seconds() -> f64 {
-    let reported =
-        fs::read_to_string("/proc/thread-self/schedstat").expect("a system that tells the time of a thread");
-    1e-9 * reported.split(' ').next().and_then(|time| time.parse::<f64>().ok()).expect("a time")
 }

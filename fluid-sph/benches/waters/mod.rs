@@ -5,6 +5,8 @@
 #[path = "../../tests/common/mod.rs"]
 mod common;
 
+use std::fs;
+
 use common::{disorder, pool};
 use explicit_dynamics::Clock;
 use fluid_sph::{Fluid, Formulation, Parts, Scheme};
@@ -38,9 +40,25 @@ impl Water {
     }
 }
 
+/// A column that falls and runs along the bottom of a basin between walls.
+pub fn dam(dimensions: usize, spacing: f64) -> Parts {
+    let (water, basin) =
+        if dimensions == 2 { ([1.0, 1.0, 0.0], [3.0, 1.0, 0.0]) } else { ([0.5, 0.5, 0.5], [1.5, 0.5, 0.5]) };
+    let mut parts = pool(dimensions, water, basin, spacing);
+    disorder(&mut parts, 0.2, 1.0);
+    parts
+}
+
 /// Marches so many steps.
 pub fn steps(fluid: &mut Fluid, clock: &mut Clock, count: usize) {
     for _ in 0..count {
         clock.step(fluid, f64::INFINITY, |_| 1.0).unwrap();
     }
+}
+
+/// Time of the processor on this thread \[s\].
+pub fn thread_seconds() -> f64 {
+    let reported =
+        fs::read_to_string("/proc/thread-self/schedstat").expect("a system that tells the time of a thread");
+    1e-9 * reported.split(' ').next().and_then(|time| time.parse::<f64>().ok()).expect("a time")
 }
