@@ -11,8 +11,8 @@ use common::{Replaced, scene};
 use coque::{Ended, OneProcess, Outcome, Progress, ProgressReport, Ranks, RunOptions, Silent};
 use peers::together;
 
-/// Scenes of several chunks that march in a second or two, one for each way to march.
-const SHELLS: [(&str, Replaced<'static>); 2] = [
+/// Scenes of several chunks that take a second or two, one for each way to march and one that relaxes.
+const SHELLS: [(&str, Replaced<'static>); 3] = [
     (
         "panel.toml",
         &[
@@ -27,6 +27,13 @@ const SHELLS: [(&str, Replaced<'static>); 2] = [
             ("analysis", "{ explicit = { transient = { duration = 0.02, record_every = 0.002 } } }"),
         ],
     ),
+    (
+        "panel.toml",
+        &[
+            ("geometry.cylinder.particles", "[31, 35]"),
+            ("analysis", "{ relaxation = { levels = [0.03, 0.06] } }"),
+        ],
+    ),
 ];
 
 /// What a run found, wall times apart.
@@ -37,9 +44,28 @@ fn found(outcome: &Outcome) -> String {
     format!("{:?} {rows:?} {record:?} {:?}", outcome.ended, outcome.shapes)
 }
 
+/// The same of bonds that break and of fluids.
+const OTHERS: [(&str, Replaced<'static>); 3] = [
+    (
+        "crack-branching.toml",
+        &[
+            ("bodies.glass.solid.geometry.block.spacing", "1e-3"),
+            ("analysis.explicit.transient.record_every", "5e-6"),
+        ],
+    ),
+    ("dam-break.toml", &[("analysis.explicit.transient.duration", "0.2")]),
+    (
+        "bar-bonds-yielding.toml",
+        &[
+            ("bodies.bar.solid.geometry.block.spacing", "0.5"),
+            ("analysis.explicit.transient", "{ duration = 5e-5, record_every = 1e-5 }"),
+        ],
+    ),
+];
+
 #[test]
 fn the_first_finds_what_one_alone_finds() {
-    for (name, replaced) in SHELLS {
+    for (name, replaced) in SHELLS.into_iter().chain(OTHERS) {
         let alone = found(&common::done(name, replaced));
         for (count, threads) in [(1, 1), (2, 2), (3, 1), (4, 1)] {
             let all = together(count, |peers| {
@@ -101,7 +127,7 @@ fn what_one_process_runs_alone_is_refused() {
     let errors = refused("plate.toml", &[SHELLS[1].1[0], SHELLS[1].1[1], ("error", "{}")]);
     assert_eq!(errors, OneProcess::Errors { started: 2 });
     println!("{errors}");
-    for name in ["plate-on-plate.toml", "dam-break.toml", "mass-on-column.toml"] {
+    for name in ["plate-on-plate.toml", "gate.toml", "mass-on-column.toml"] {
         let body = refused(name, &[]);
         assert!(matches!(body, OneProcess::Body { started: 2, .. }), "{body}");
         println!("{body}");

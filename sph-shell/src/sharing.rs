@@ -66,6 +66,21 @@ impl Shell {
         }
     }
 
+    /// Brings internal forces of all particles to everyone who seeks an equilibrium of it.
+    pub(crate) fn bring_internal(&mut self) {
+        if self.share.is_shared() {
+            self.share.bring(self.points.direct_mut());
+        }
+    }
+
+    /// Brings the forces of loads and springs on all particles, likewise.
+    pub(crate) fn bring_external(&mut self) {
+        if self.share.is_shared() {
+            let rows = self.loading.rows_mut();
+            rows.into_iter().filter(|rows| !rows.is_empty()).for_each(|rows| self.share.bring(rows));
+        }
+    }
+
     /// The particles that this one moves: all, unless others march it too.
     pub fn own_particles(&self) -> Range<usize> {
         self.share.own()

@@ -173,6 +173,15 @@ pub trait DynamicBody: Body + Dynamics {
 
 /// A body whose equilibria are sought without time.
 pub trait StaticBody: Body + Equilibrium {
+    /// Seeks its equilibria with others from now on, by [`implicit_statics::Relaxation`]: each evaluates the forces on a share of its particles, and
+    /// all of them are known to everyone.
+    ///
+    /// # Errors
+    /// What of it one process relaxes alone.
+    fn share(&mut self, _ranks: &Ranks) -> Result<(), NotShared> {
+        Err(NotShared::Kind)
+    }
+
     /// Evaluates forces at a level, so that they can be read; returns the internal energy \[F L\].
     fn refresh(&mut self, level: f64) -> f64;
 

@@ -146,13 +146,15 @@ impl Model {
     /// [`OneProcess`].
     pub fn share(&mut self, ranks: &Ranks) -> Result<(), OneProcess> {
         let (analysis, started) = (self.task.analysis.kind().word, ranks.number());
-        let Ready::Dynamic(body) = &mut self.body else {
-            return Err(OneProcess::Timeless { analysis, started });
-        };
         if self.barred.is_some() {
             return Err(OneProcess::Errors { started });
         }
-        body.share(ranks).map_err(|what| OneProcess::Body { what, started })?;
+        let shared = match (&mut self.body, &self.task.analysis) {
+            (Ready::Dynamic(body), _) => body.share(ranks),
+            (Ready::Static(body), Analysis::Relaxation(_)) => body.share(ranks),
+            _ => return Err(OneProcess::Timeless { analysis, started }),
+        };
+        shared.map_err(|what| OneProcess::Body { what, started })?;
         self.ranks = Some(ranks.clone());
         Ok(())
     }

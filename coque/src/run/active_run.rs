@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::ops::ControlFlow;
 
 use implicit_statics::EquilibriumError;
+use peers::Peers;
 
 use super::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Contents, Stage, checksum};
 use super::contact_watch::ContactWatch;
@@ -231,8 +232,11 @@ impl Run<'_> {
         if ranks.heard(Word::Stop) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Tells how it goes without time; `Break` if it is to end.
+    /// Tells how it goes without time; `Break` if it is to end, for all processes alike, which meet here to hear of it.
     pub fn tell(&mut self, done: f64, steps: u64, level: f64, internal: f64) -> ControlFlow<()> {
+        if let Some(ranks) = &mut self.ranks {
+            ranks.add(&mut [], &mut []);
+        }
         self.update(&ProgressReport { done, steps, level, internal, ..ProgressReport::default() })
     }
 

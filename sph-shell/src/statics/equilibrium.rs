@@ -65,7 +65,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 
     fn internal(&mut self, level: f64, out: &mut [f64]) {
         self.put(level);
-        self.shell.evaluate_internal(false);
+        self.internal_here(false);
         self.project(|a| self.shell.internal_force(a), out);
     }
 
@@ -120,7 +120,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         let rest = self.save();
         self.update(motion);
         self.put(level);
-        self.shell.evaluate_internal(false);
+        self.internal_here(false);
         let stressed = self.shell.motion.state.to_vec();
         let internal: Vec<_> = (0..self.shell.len()).map(|a| self.shell.internal_force(a)).collect();
         self.restore(&rest);
@@ -281,7 +281,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
     }
 
     fn energy(&mut self) -> f64 {
-        self.shell.evaluate_internal(true);
+        self.internal_here(true);
         self.shell.stored_energy()
     }
 
@@ -333,7 +333,7 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
 impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// The tangent where the shell stands, its prescribed values at the level already.
     fn tangent_here(&mut self, level: f64, values: &mut [f64]) {
-        self.shell.evaluate_internal(false);
+        self.internal_here(false);
         self.external_at(level);
         self.shell.second_derivatives(&self.pattern, None, &mut self.blocks);
         subtract_load_stiffness(&self.shell, level, &self.pattern.pairs, &mut self.blocks);

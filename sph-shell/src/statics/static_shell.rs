@@ -70,7 +70,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
     /// Evaluates internal forces and energy, and the loads at a level, so that probes can read them.
     pub fn evaluate(&mut self, level: f64) {
         self.put(level);
-        self.shell.evaluate_internal(true);
+        self.internal_here(true);
         self.external_at(level);
     }
 
@@ -247,8 +247,15 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         out.iter_mut().zip(&rate).for_each(|(sum, part)| *sum -= part);
     }
 
+    /// Evaluates internal forces where the shell stands, and the energies of points where they are wanted.
+    pub(super) fn internal_here(&mut self, energy: bool) {
+        self.shell.evaluate_internal(energy);
+        self.shell.bring_internal();
+    }
+
     pub(super) fn external_at(&mut self, level: f64) {
         self.shell.evaluate_external(Instant { time: 0.0, level });
+        self.shell.bring_external();
     }
 }
 

@@ -103,7 +103,7 @@ pub(in crate::bodies) fn coupled_model(
     let CoupledParts { layout, rest, cells } = built;
     let basins = basins(scene, wanted.geometry.spacing());
     let speeds = Speeds::of(clocks.fluid());
-    let body = Coupled { clocks, layout, rest, cells, added_mass, basins, speeds, watch };
+    let body = Coupled { clocks, layout, rest, cells, added_mass, basins, speeds, watch, ranks: None };
     let made = BuiltBody {
         body: Ready::Dynamic(Box::new(body)),
         description,

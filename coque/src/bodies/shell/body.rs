@@ -144,12 +144,17 @@ impl Body for Shell {
     }
 }
 
+/// Shares a shell.
+fn shared(shell: &mut Shell, ranks: &Ranks) -> Result<(), NotShared> {
+    shell.share(ranks.peers()).map_err(|refused| match refused {
+        ShellError::NotShared(what) => NotShared::Part(what),
+        _ => NotShared::Kind,
+    })
+}
+
 impl DynamicBody for Shell {
     fn share(&mut self, ranks: &Ranks) -> Result<(), NotShared> {
-        Shell::share(self, ranks.peers()).map_err(|refused| match refused {
-            ShellError::NotShared(what) => NotShared::Part(what),
-            _ => NotShared::Kind,
-        })
+        shared(self, ranks)
     }
 
     fn bring(&mut self) {
@@ -236,6 +241,10 @@ impl<S: DerefMut<Target = Shell> + Send> Body for StaticShell<S> {
 }
 
 impl<S: DerefMut<Target = Shell> + Send> StaticBody for StaticShell<S> {
+    fn share(&mut self, ranks: &Ranks) -> Result<(), NotShared> {
+        shared(self.shell_mut(), ranks)
+    }
+
     fn refresh(&mut self, level: f64) -> f64 {
         self.evaluate(level);
         self.shell().stored_energy()
