@@ -17,6 +17,8 @@ pub struct Messages {
     all: Communicator,
     ending: Ending,
     lanes: Vec<Option<OpenLane>>,
+    /// Bytes of rows handed to MPI so far.
+    sent: u64,
     /// Words of sums on their way; as long as the longest was.
     words: Vec<i64>,
     /// The greatest values and their numbers on their way.
@@ -39,7 +41,19 @@ struct Message {
 impl Messages {
     /// Over a communicator of its own.
     pub fn new(all: Communicator, ending: Ending) -> Self {
-        Self { all, ending, lanes: Vec::new(), words: Vec::new(), greatest: (Vec::new(), Vec::new()) }
+        Self {
+            all,
+            ending,
+            lanes: Vec::new(),
+            sent: 0,
+            words: Vec::new(),
+            greatest: (Vec::new(), Vec::new()),
+        }
+    }
+
+    /// Bytes of rows that lanes have handed to MPI so far.
+    pub fn bytes_sent(&self) -> u64 {
+        self.sent
     }
 
     /// What MPI gave, or the end of all.
@@ -135,6 +149,7 @@ impl Peers for Messages {
             for (&particle, numbers) in particles.iter().zip(numbers.chunks_exact_mut(*width)) {
                 row(particle, numbers);
             }
+            self.sent += size_of_val(numbers) as u64;
             sure(&self.ending, request.start());
         }
     }

@@ -49,6 +49,13 @@ impl World {
         std::panic::set_hook(Box::new(move |panic| ending.end(&panic.to_string())));
     }
 
+    /// Messages between them, over a communicator of its own; all of them call it together.
+    pub fn messages(&self) -> Messages {
+        let own = self.all.duplicate();
+        let own = own.unwrap_or_else(|error| self.end(&error.to_string()));
+        Messages::new(own, self.ending())
+    }
+
     /// What ends them all.
     pub fn ending(&self) -> Ending {
         Ending::of(self.all.clone())
@@ -58,9 +65,7 @@ impl World {
 impl ProcessGroup for World {
     /// Ends them all if MPI has no room for one more communicator.
     fn peers(&self) -> Box<dyn Peers> {
-        let own = self.all.duplicate();
-        let own = own.unwrap_or_else(|error| self.end(&error.to_string()));
-        Box::new(Messages::new(own, self.ending()))
+        Box::new(self.messages())
     }
 
     fn end(&self, message: &str) -> ! {

@@ -6,7 +6,7 @@ use std::alloc::System;
 use std::process::Command;
 
 use coque::ProcessGroup;
-use coque_mpi::World;
+use coque_mpi::{Messages, World};
 use peers::{CHUNK, Cut, Exact, Greatest, Peers, agree, together};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
@@ -74,23 +74,24 @@ fn march(mut peers: Box<dyn Peers>) -> Vec<u64> {
     bits
 }
 
-/// Allocations of Rust code in some steps, once all is open.
-fn allocations(mut peers: Box<dyn Peers>) -> usize {
+/// Allocations of Rust code in ten steps, once all is open, and bytes handed to MPI, beside those of the plan.
+fn counted(mut peers: Messages) -> [usize; 3] {
     let cut = Cut::even(PARTICLES, peers.count());
     let needs = needs(&cut, peers.rank());
-    let lists = agree(&mut *peers, &cut, &needs);
+    let lists = agree(&mut peers, &cut, &needs);
     let lane = peers.open(&lists, WIDTH);
     let mut last = 0.0;
-    let mut step = || {
+    let mut step = |peers: &mut Messages| {
         peers.send(&lane, &|a, row| row.fill(f64::from(a)));
         peers.take(&lane, &mut |_, row| last += row[0]);
         peers.add(&mut [Exact::new()], &mut [0]);
         peers.greatest(&mut [Greatest::of(1.0, 1)]);
     };
-    step();
-    let region = Region::new(ALLOCATOR);
-    (0..10).for_each(|_| step());
-    region.change().allocations
+    step(&mut peers);
+    let (region, before) = (Region::new(ALLOCATOR), peers.bytes_sent());
+    (0..10).for_each(|_| step(&mut peers));
+    let allocations = region.change().allocations;
+    [allocations, (peers.bytes_sent() - before) as usize, 10 * lists.bytes_sent(WIDTH)]
 }
 
 /// What each of the processes does.
@@ -101,11 +102,13 @@ fn one_of_those_who_were_started() {
     }
     let world = World::join().unwrap().unwrap();
     let found = march(world.peers());
-    let peers = world.peers();
+    let peers = world.messages();
     let (rank, count) = (peers.rank(), peers.count());
     let expected = together(count, march).unwrap();
     assert!(found == expected[rank], "rank {rank} of {count}");
-    assert_eq!(allocations(peers), 0, "allocations of rank {rank} of {count}");
+    let [allocations, sent, planned] = counted(peers);
+    assert_eq!(allocations, 0, "allocations of rank {rank} of {count}");
+    assert!(planned > 0 && sent == planned, "{sent} bytes sent, {planned} planned");
 }
 
 /// One of three cannot go on, in a way that each of the others is not: all end.
