@@ -11,7 +11,7 @@ use crate::share::Share;
 impl Solid {
     /// Marches it with others, each of whom has built the same solid: this one moves its share of the nodes. All that a march
     /// returns is that of the whole, with the bits of one who marches it alone; what is read of nodes is right after
-    /// [`Solid::bring`]. All of them call it, once all that loads the solid is there, and from then on all that evaluates it, marches
+    /// [`Solid::bring`]. All of them call it once, when all that loads the solid is there, and from then on all that evaluates it, marches
     /// it or sums over it, in the same order. Its statics are not shared.
     ///
     /// # Errors

@@ -7,7 +7,7 @@ use peridynamics::Solid;
 
 /// What a march tells up to its end, or up to a number of steps, with some of what is read at its records; and where it stands, if it
 /// goes on from there.
-pub fn told(
+pub fn reported(
     plan: &Plan,
     body: &mut Solid,
     steps: u64,
@@ -41,6 +41,16 @@ pub fn told(
         }
     }
     (words, march.state().cloned())
+}
+
+/// The first of what two marches tell that differs.
+pub fn differing<'a>(
+    one: &'a [String],
+    other: &'a [String],
+) -> Option<(Option<&'a String>, Option<&'a String>)> {
+    (0..one.len().max(other.len()))
+        .map(|line| (one.get(line), other.get(line)))
+        .find(|(one, other)| one != other)
 }
 
 /// All that can be read of a body, then what a look at its forces and its spectrum tells, as bits.
