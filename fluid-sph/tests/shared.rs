@@ -75,9 +75,10 @@ fn blocks(dimensions: usize, seed: usize, lost: bool) -> Parts {
 
 /// Two streams past each other at so much of the speed of sound, so long that each who marches them knows a small part; between walls of
 /// which one runs along, if so.
-fn streams(part: f64, walls: bool) -> Parts {
-    let spacing = 0.02;
-    let mut parts = pool(2, [4.0, 0.2, 0.0], [4.0, 0.2, 0.0], spacing);
+fn streams(dimensions: usize, part: f64, walls: bool) -> Parts {
+    let spacing = if dimensions == 2 { 0.02 } else { 0.05 };
+    let size = [4.0, 0.2, if dimensions == 2 { 0.0 } else { 0.1 }];
+    let mut parts = pool(dimensions, size, size, spacing);
     parts.walls.clear();
     parts.start = Start::Uniform;
     parts.gravity = Vec3::zeros();
@@ -189,10 +190,11 @@ fn dams_break_the_same_whoever_marches_them() {
 
 #[test]
 fn streams_pass_the_same_whoever_marches_them() {
-    assert!(same("streams", &streams(0.2, false), 200, &[4, 7]) > 300);
-    assert!(same("streams between walls", &streams(0.2, true), 200, &[7]) > 300);
+    assert!(same("streams", &streams(2, 0.2, false), 200, &[4, 7]) > 300);
+    assert!(same("streams between walls", &streams(2, 0.2, true), 200, &[7]) > 300);
+    assert!(same("streams in space", &streams(3, 0.2, false), 200, &[7]) > 200);
     // Only walls go far.
-    same("still water between walls", &streams(0.0, true), 300, &[7]);
+    same("still water between walls", &streams(2, 0.0, true), 300, &[7]);
 }
 
 #[test]

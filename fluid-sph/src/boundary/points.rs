@@ -29,7 +29,7 @@ use crate::pair::Row;
 use crate::parts::{Motion, Parts, Structure, Wall};
 use crate::sorted::Sorted;
 use crate::walls::extrapolated::WallMean;
-use crate::walls::motion::place;
+use crate::walls::motion::Pose;
 
 /// A wall: its particles, and where they are when its motion is zero.
 #[derive(Clone, Debug)]
@@ -94,8 +94,8 @@ impl Boundary {
             }
             let first = all.points.len();
             let rest: Vec<Vec3> = if motion.is_some() { points.clone() } else { Vec::new() };
-            all.points
-                .extend(points.iter().map(|p| motion.as_ref().map_or(*p, |motion| place(motion, p, 0.0))));
+            let pose = motion.as_ref().map(|motion| Pose::of(motion, 0.0));
+            all.points.extend(points.iter().map(|p| pose.as_ref().map_or(*p, |pose| pose.place(p))));
             all.walls.push(WallPart { range: first..all.points.len(), rest, motion: motion.clone() });
         }
         all.faces.resize(all.points.len(), 0);
@@ -178,8 +178,9 @@ impl Boundary {
     pub fn move_walls(&mut self, time: f64, dt: f64) {
         for WallPart { range, rest, motion } in &self.walls {
             let Some(motion) = motion else { continue };
+            let pose = Pose::of(motion, time);
             for (point, rest) in range.clone().zip(rest) {
-                let end = place(motion, rest, time);
+                let end = pose.place(rest);
                 let way = end - self.points[point];
                 self.advance = self.advance.max(way.norm());
                 self.velocities[point] = way / dt;
@@ -190,11 +191,15 @@ impl Boundary {
 
     /// The greatest way of a wall's particle to where it is at a time \[L\].
     pub fn way_to(&self, time: f64) -> f64 {
-        let moving = self.walls.iter().filter_map(|wall| Some((wall, wall.motion.as_ref()?)));
-        let ways = moving.flat_map(|(WallPart { range, rest, .. }, motion)| {
-            range.clone().zip(rest).map(move |(point, rest)| place(motion, rest, time) - self.points[point])
-        });
-        ways.map(|way| way.norm()).fold(0.0, f64::max)
+        let mut farthest: f64 = 0.0;
+        for WallPart { range, rest, motion } in &self.walls {
+            let Some(motion) = motion else { continue };
+            let pose = Pose::of(motion, time);
+            for (point, rest) in self.points[range.clone()].iter().zip(rest) {
+                farthest = farthest.max((pose.place(rest) - point).norm());
+            }
+        }
+        farthest
     }
 
     /// Puts a structure where it is.

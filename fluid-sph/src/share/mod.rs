@@ -120,7 +120,7 @@ impl Share {
     }
 
     /// What the one who moves a particle says of it, for all.
-    pub fn told<const N: usize>(&self, number: usize, say: impl Fn(usize) -> [f64; N]) -> [f64; N] {
+    pub fn reported<const N: usize>(&self, number: usize, say: impl Fn(usize) -> [f64; N]) -> [f64; N] {
         let Some(shared) = self.shared() else { return say(number) };
         let Deal { known, moves, .. } = &shared.deal;
         let own = known.binary_search(&(number as u32)).ok().filter(|&known| moves[known]);

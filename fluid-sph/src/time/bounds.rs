@@ -36,7 +36,7 @@ impl Fluid {
         let place = |particle: usize| format!("particle {particle}");
         let ratio = |i: usize| self.present.densities[i] / self.liquid.density;
         if let Some(particle) = self.first(|i| !(0.5..=2.0).contains(&ratio(i))) {
-            let [value] = self.share.told(particle, |i| [ratio(i)]);
+            let [value] = self.share.reported(particle, |i| [ratio(i)]);
             let bound = "between 0.5 and 2: raise the speed of sound or refine";
             return Err(OutOfRange {
                 place: place(particle),
@@ -51,7 +51,7 @@ impl Fluid {
             let outside = |at: &Vec3| outside(self.dimensions, domain, at);
             if let Some(particle) = self.first(|i| outside(&positions[i])) {
                 let [low, high] = domain;
-                let at = self.share.told(particle, |i| positions[i].into());
+                let at = self.share.reported(particle, |i| positions[i].into());
                 let beyond = |k: &usize| !(at[*k] >= low[*k] && at[*k] <= high[*k]);
                 let axis = (0..self.dimensions).find(beyond).unwrap_or(0);
                 let what = ["first coordinate", "second coordinate", "third coordinate"][axis];

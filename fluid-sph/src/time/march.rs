@@ -86,9 +86,9 @@ struct Kicked {
 }
 
 impl Fluid {
-    /// A kick, and its work; `told` what only records need of it.
-    fn kicked(&mut self, step: &Step, told: bool) -> Work {
-        let Kicked { square, weight, friction, change, resisted } = self.kick_velocities(step, told);
+    /// A kick, and its work; `recorded` what only records need of it.
+    fn kicked(&mut self, step: &Step, recorded: bool) -> Work {
+        let Kicked { square, weight, friction, change, resisted } = self.kick_velocities(step, recorded);
         let kinetic = 0.5 * self.mass * square;
         let mut work = Work { kinetic, ..Work::default() };
         if step.kick > 0.0 {
@@ -125,7 +125,7 @@ impl Fluid {
     }
 
     /// New velocities; of a predictor and corrector none. Their greatest is kept after a kick that takes time.
-    fn kick_velocities(&mut self, step: &Step, told: bool) -> Kicked {
+    fn kick_velocities(&mut self, step: &Step, recorded: bool) -> Kicked {
         self.refresh();
         let kicks = self.formulation.scheme == Scheme::KickDriftKick;
         let kick = if kicks { step.kick } else { 0.0 };
@@ -149,7 +149,7 @@ impl Fluid {
             let mean = (old + new) * 0.5;
             [mean.norm_squared(), gravity.dot(&mean), powers[slot]]
         };
-        let work = if told {
+        let work = if recorded {
             let numbers = |slot: usize, row: &mut Row| {
                 let before = Vec3::from(row.velocity());
                 let [square, weight, power] = plain(slot, row);

@@ -4,22 +4,45 @@ use sph_core::Vec3;
 
 use crate::parts::{Motion, Rotation};
 
-/// The place of a wall's particle at a time, from its place in the motion's zero.
-pub(crate) fn place(motion: &Motion, point: &Vec3, time: f64) -> Vec3 {
-    let moved =
-        motion.translation.as_ref().map_or_else(Vec3::zeros, |(way, amplitude)| way * amplitude.value(time));
-    let turned = motion.rotation.as_ref().map_or(*point, |rotation| turned(rotation, point, time));
-    turned + moved
+/// Where a wall is at a time.
+pub(crate) struct Pose<'a> {
+    moved: Vec3,
+    turn: Option<Turn<'a>>,
 }
 
-/// Rodrigues' formula.
-fn turned(rotation: &Rotation, point: &Vec3, time: f64) -> Vec3 {
-    let Rotation { centre, axis, by, angle } = rotation;
-    let axis = axis / axis.norm();
-    let angle = by * angle.value(time);
-    let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
-    let arm = point - centre;
-    centre + arm * cosine + axis.cross(&arm) * sine + axis * (axis.dot(&arm) * (1.0 - cosine))
+/// A turn about an axis of length one.
+struct Turn<'a> {
+    centre: &'a Vec3,
+    axis: Vec3,
+    sine: f64,
+    cosine: f64,
+}
+
+impl<'a> Pose<'a> {
+    /// That of a motion.
+    pub fn of(motion: &'a Motion, time: f64) -> Self {
+        let turn = |Rotation { centre, axis, by, angle }: &'a Rotation| {
+            let angle = by * angle.value(time);
+            Turn { centre, axis: axis / axis.norm(), sine: libm::sin(angle), cosine: libm::cos(angle) }
+        };
+        let way = motion.translation.as_ref();
+        let moved = way.map_or_else(Vec3::zeros, |(way, amplitude)| way * amplitude.value(time));
+        Self { moved, turn: motion.rotation.as_ref().map(turn) }
+    }
+
+    /// The place of a wall's particle, from its place in the motion's zero.
+    pub fn place(&self, point: &Vec3) -> Vec3 {
+        self.turn.as_ref().map_or(*point, |turn| turn.turned(point)) + self.moved
+    }
+}
+
+impl Turn<'_> {
+    /// Rodrigues' formula.
+    fn turned(&self, point: &Vec3) -> Vec3 {
+        let Self { centre, axis, sine, cosine } = self;
+        let arm = point - *centre;
+        *centre + arm * *cosine + axis.cross(&arm) * *sine + axis * (axis.dot(&arm) * (1.0 - cosine))
+    }
 }
 
 #[cfg(test)]
@@ -36,7 +59,7 @@ mod tests {
             rotation: Some(Rotation { centre: Vec3::x(), axis: Vec3::z() * 2.0, by: 1.0, angle: quarter }),
         };
         let point = Vec3::new(2.0, 0.0, 0.5);
-        assert_eq!(place(&motion, &point, 0.0), point);
-        assert!((place(&motion, &point, 1.0) - Vec3::new(1.0, 1.0, 3.5)).norm() < 1e-15);
+        assert_eq!(Pose::of(&motion, 0.0).place(&point), point);
+        assert!((Pose::of(&motion, 1.0).place(&point) - Vec3::new(1.0, 1.0, 3.5)).norm() < 1e-15);
     }
 }
