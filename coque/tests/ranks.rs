@@ -8,7 +8,7 @@ mod common;
 use std::ops::ControlFlow;
 
 use common::{Replaced, scene};
-use coque::{Ended, OneProcess, Outcome, Progress, ProgressReport, Ranks, RunOptions, Silent};
+use coque::{Ended, Outcome, Progress, ProgressReport, Ranks, RunOptions, Silent};
 use peers::together;
 
 /// Scenes of several chunks that take a second or two, one for each way to march and one that relaxes.
@@ -45,7 +45,14 @@ fn found(outcome: &Outcome) -> String {
 }
 
 /// The same of bonds that break and of fluids.
-const OTHERS: [(&str, Replaced<'static>); 3] = [
+const OTHERS: [(&str, Replaced<'static>); 4] = [
+    (
+        "crack-branching.toml",
+        &[
+            ("bodies.glass.solid.geometry.block.spacing", "2e-3"),
+            ("analysis", "{ explicit = { quasi-static = { levels = [0.01, 0.02], tolerance = 1e-3 } } }"),
+        ],
+    ),
     (
         "crack-branching.toml",
         &[
@@ -121,15 +128,35 @@ fn what_one_process_runs_alone_is_refused() {
         assert_eq!(all[0], all[1]);
         all[0]
     };
-    let timeless = refused("scordelis-lo.toml", &[]);
-    assert!(matches!(timeless, OneProcess::Timeless { started: 2, .. }), "{timeless}");
-    println!("{timeless}");
-    let errors = refused("plate.toml", &[SHELLS[1].1[0], SHELLS[1].1[1], ("error", "{}")]);
-    assert_eq!(errors, OneProcess::Errors { started: 2 });
-    println!("{errors}");
-    for name in ["plate-on-plate.toml", "gate.toml", "mass-on-column.toml"] {
-        let body = refused(name, &[]);
-        assert!(matches!(body, OneProcess::Body { started: 2, .. }), "{body}");
-        println!("{body}");
+    let coarse = ("geometry.plate.particles", "[11, 11]");
+    let marched = ("analysis", "{ explicit = { transient = { duration = 0.001, record_every = 0.001 } } }");
+    let settled = ("analysis", "{ explicit = { quasi-static = { levels = [0.1] } } }");
+    for (name, replaced, said) in [
+        (
+            "scordelis-lo.toml",
+            &[][..],
+            "[analysis.linear] runs in one process, but 2 were started together: start one",
+        ),
+        (
+            "plate.toml",
+            &[coarse, marched, ("error", "{}")],
+            "leave out [error], --error, --accuracy and --chart",
+        ),
+        (
+            "plate.toml",
+            &[coarse, marched, ("formulation.nodal.order", "1")],
+            "not sampled in cells (formulation) runs in one process",
+        ),
+        ("plate-pd.toml", &[settled], "a plate of two sheets (formulation.two-sheets) runs in one process"),
+        (
+            "plate-on-plate.toml",
+            &[],
+            "a body of the kind several with [analysis.explicit] runs in one process",
+        ),
+        ("block-on-flat.toml", &[], "runs in one process"),
+    ] {
+        let words = refused(name, replaced).to_string();
+        println!("{words}");
+        assert!(words.contains(said) && words.contains("2 were started together"), "{words}");
     }
 }

@@ -9,7 +9,7 @@ use sph_core::Cell;
 use super::body::{Description, PrescribedPoint, Ready, Shape};
 use super::contacts_of_scene::ContactsOfScene;
 use super::memory::Memory;
-use super::one_process::OneProcess;
+use super::one_process::{NotShared, OneProcess};
 use super::probe::Probe;
 use crate::Warning;
 use crate::ranks::Ranks;
@@ -154,7 +154,11 @@ impl Model {
             (Ready::Static(body), Analysis::Relaxation(_)) => body.share(ranks),
             _ => return Err(OneProcess::Timeless { analysis, started }),
         };
-        shared.map_err(|what| OneProcess::Body { what, started })?;
+        let kind = self.description.kind;
+        shared.map_err(|what| match what {
+            NotShared::Kind => OneProcess::Kind { kind, analysis, started },
+            part => OneProcess::Part { what: part, started },
+        })?;
         self.ranks = Some(ranks.clone());
         Ok(())
     }

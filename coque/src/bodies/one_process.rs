@@ -1,23 +1,45 @@
 //! What is not run by several processes together, and why.
 
-/// What one process marches alone.
+/// What one process runs alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotShared {
     /// Bodies of a kind.
-    #[error("bodies of this kind are marched by one process")]
+    #[error("bodies of this kind run in one process")]
     Kind,
-    /// A part of one, with what scenes say for it.
-    #[error("{0} is marched by one process")]
+    /// A part of one, in the words of its model.
+    #[error("{0}{key} runs in one process", key = key(.0))]
     Part(&'static str),
+}
+
+/// Parts in the words of their models, and the keys of scenes that ask for them.
+const KEYS: [(&str, &str); 12] = [
+    ("a shell whose strains are not sampled in cells", "formulation"),
+    ("a shell with junctions, rigid sets or ties", "a mesh of several sheets, [[rigid]], [[ties]]"),
+    ("a shell that may touch", "[[tools]], [[contact]]"),
+    ("a shell that encloses a gas or a liquid", "loads[].gas, loads[].volume"),
+    ("a shell whose section has a memory", "material.plastic"),
+    ("a plate of two sheets", "formulation.two-sheets"),
+    ("a solid whose fragments may touch", "contact"),
+    ("a solid on which a function exerts forces", "Model::push"),
+    ("a shell on which a function exerts forces", "Model::push"),
+    ("a fluid with structures in it", "a shell or a solid beside [bodies.NAME.fluid]"),
+    ("a fluid marched by predictor and corrector", "formulation.weakly-compressible.method"),
+    ("a fluid between walls of the published method", "formulation.weakly-compressible.walls"),
+];
+
+/// The keys that ask for a part, in brackets.
+fn key(what: &str) -> String {
+    let found = KEYS.iter().find(|(known, _)| *known == what);
+    found.map_or_else(String::new, |(_, keys)| format!(" ({keys})"))
 }
 
 /// Why one process has to run a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum OneProcess {
-    /// Its analysis does not march.
+    /// Its analysis takes a factor of the tangent.
     #[error(
         "[analysis.{analysis}] runs in one process, but {started} were started together: start one, with as many --threads \
-         as there are cores, or march, by [analysis.explicit]"
+         as there are cores, or go by [analysis.explicit] or [analysis.relaxation]"
     )]
     Timeless {
         /// Its key.
@@ -25,11 +47,24 @@ pub enum OneProcess {
         /// Processes.
         started: usize,
     },
-    /// A part of its body is marched by one.
+    /// Its kind of body is run by one, by this analysis.
+    #[error(
+        "a body of the kind {kind} with [analysis.{analysis}] runs in one process, but {started} were started together: start \
+         one, with as many --threads as there are cores"
+    )]
+    Kind {
+        /// The kind.
+        kind: &'static str,
+        /// Key of the analysis.
+        analysis: &'static str,
+        /// Processes.
+        started: usize,
+    },
+    /// A part of its body is run by one.
     #[error(
         "{what}, but {started} were started together: start one, with as many --threads as there are cores"
     )]
-    Body {
+    Part {
         /// What is.
         what: NotShared,
         /// Processes.
