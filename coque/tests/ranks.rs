@@ -50,6 +50,7 @@ const OTHERS: [(&str, Replaced<'static>); 4] = [
         "crack-branching.toml",
         &[
             ("bodies.glass.solid.geometry.block.spacing", "2e-3"),
+            ("supports", "[{ on = \"x0\", held = { displacement = [[1, 0, 0], [0, 1, 0]] } }]"),
             ("analysis", "{ explicit = { quasi-static = { levels = [0.01, 0.02], tolerance = 1e-3 } } }"),
         ],
     ),
@@ -151,7 +152,7 @@ fn what_one_process_runs_alone_is_refused() {
         (
             "plate-on-plate.toml",
             &[],
-            "a body of the kind several with [analysis.explicit] runs in one process",
+            "a scene of several bodies with [analysis.explicit.transient] runs in one process",
         ),
         ("block-on-flat.toml", &[], "runs in one process"),
     ] {

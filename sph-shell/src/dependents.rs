@@ -22,6 +22,14 @@ impl Dependents {
         self.junctions.is_empty() && self.ties.is_empty()
     }
 
+    /// Particles that move with others or bear them: all those of groups, what hangs and the corners it hangs on, each once or more.
+    pub fn bound(&self) -> Vec<u32> {
+        let of_groups = self.junctions.groups.iter().flat_map(|group| &group.particles);
+        let hanging = self.ties.hanging.iter();
+        let of_ties = hanging.flat_map(|hanging| hanging.corners.iter().chain([&hanging.particle]));
+        of_groups.chain(of_ties).copied().collect()
+    }
+
     /// What loads see of a shell in a state.
     pub fn loaded<'a>(&'a self, reference: &'a Reference, state: &'a [Row]) -> Body<'a> {
         Body { reference, state, masses: self.ties.weighing_masses(reference) }

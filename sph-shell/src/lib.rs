@@ -21,6 +21,7 @@
 //! | what a clamp does; loads with their stiffness; load cases | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours; `conditions/case.rs` |
 //! | the step of four particles (kick, hold, drift) | `time/particle.rs` |
 //! | the whole step in one sweep; the march | `time/fused.rs`; `time/march.rs` |
+//! | several march it: what each owns, sends, adds up | `sharing.rs`, [`Shell::share`]; `time/share.rs`; loads on a share: `conditions/on_share.rs` |
 //! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
 //! | edges that hang on sheets whose particles stand elsewhere | `ties/`, [`ShellBuilder::ties`] |
 //! | points that a fluid wets, and the way of its forces | `wetted/`, [`ShellBuilder::wetted`] |
@@ -260,7 +261,7 @@
 //! | ties: force and tangent are derivatives, constant strains and curvatures are balanced, six zero modes, boxes and frames as closed forms say, momentum is kept | tests/ties.rs, tests/ties_answers.rs |
 //! | a tube ovals at 3 D/R³ under follower pressure, at 4 under dead; Newton stays quadratic | `a_tube_buckles_at_three_under_follower_pressure_and_at_four_under_dead`, `residuals_fall_quadratically_under_follower_pressure` |
 //! | sets moved or turned by level: load rates are derivatives; a column shortened by its end buckles like one pressed; a strip rolls up by its end; the march agrees | `load_rates_are_derivatives_with_respect_to_the_level`, `a_column_shortened_by_its_end_buckles_at_the_load_of_one_that_is_pressed`, `a_strip_rolls_up_to_a_ring_by_its_end`, `a_march_with_a_turned_end_finds_the_same` (tests/prescribed.rs) |
-//! | several march it to the same bits: 80 layouts, whole marches, words of refusals | `peers_march_to_the_same_bits_on_many_layouts` (src/time/march/tests.rs), tests/in_time/shared.rs |
+//! | several march it to the same bits: 80 layouts with loads and springs of every kind, on one thread and two; whole marches of plates, of frames with junctions, ties and rigid sets, of what yields; words of refusals | `peers_march_to_the_same_bits_on_many_layouts` (src/time/march/tests.rs), tests/in_time/shared.rs, shared_bodies.rs |
 //! | what is enclosed: volumes of open surfaces, potential, tangent beside the pattern, zero modes, tubes on liquids and gas | tests/at_rest/enclosed.rs, tests/in_time/enclosed.rs |
 //! | preloads: derivatives in both load cases, frequencies of a pulled and a pressed strip, of a tube under follower pressure, buckling at what is left, order of two cases | tests/preload.rs |
 //! | a set that turns as one body stores nothing, comes back, twists a strip as St Venant says, in time as at rest | tests/turned_sets.rs |
@@ -285,7 +286,7 @@
 //! | wet points lie below the faces, evenly, over all of the shell | `a_strip_is_wetted_along_its_middle_line`, `points_cover_a_shell_in_space_evenly` |
 //! | in two clocks: the same bits for any threads and after a pause, no allocation, the static answer at rest | tests/coupled.rs |
 //! | what the strong form breaks | `it_does_not_conserve_momentum`, `its_stiffness_is_not_symmetric`, `it_fails_the_membrane_patch` (tests/strong_form.rs) |
-//! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing` (tests/threads.rs); `one_sweep_gives_the_same_bits_on_many_layouts_and_threads` (time/march/tests.rs) |
+//! | the same bits for any number of threads, one sweep or two passes; a step allocates nothing, one of peers neither | `threads_do_not_change_a_bit`, `one_sweep_and_two_passes_give_the_same_bits`, `a_step_allocates_nothing`, `a_step_of_peers_allocates_nothing` (tests/threads.rs); `one_sweep_gives_the_same_bits_on_many_layouts_and_threads` (time/march/tests.rs) |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 

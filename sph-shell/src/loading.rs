@@ -140,16 +140,18 @@ impl Loading {
         BodySprings { springs: &self.springs.of_bodies, junctions, reference, state }
     }
 
-    /// Evaluates the loads at an instant of the case that is under way, with the springs, what the fluid and what a function exerts.
+    /// Evaluates the loads at an instant of the case that is under way, with the springs, what the fluid and what a function exerts. Before forces
+    /// go on to what bears a particle, `bring` sees to those that others evaluate.
     pub fn evaluate(
         &mut self,
         at: Instant,
         reference: &Reference,
         dependents: &mut Dependents,
         motion: &mut Moving,
+        bring: impl FnOnce(&mut [Row]),
     ) {
-        let under_way = self.case;
-        self.sum(Part::Whole(at), |applied| applied.scale(at, under_way), reference, dependents, motion);
+        let (part, under_way) = (Part::Whole(at), self.case);
+        self.sum(part, |applied| applied.scale(at, under_way), reference, dependents, motion, bring);
     }
 
     /// The same without contact.
@@ -161,7 +163,8 @@ impl Loading {
         motion: &mut Moving,
     ) {
         let under_way = self.case;
-        self.sum(Part::Loads(at), |applied| applied.scale(at, under_way), reference, dependents, motion);
+        let scale = |applied: &AppliedLoad| applied.scale(at, under_way);
+        self.sum(Part::Loads(at), scale, reference, dependents, motion, |_| ());
     }
 
     /// Energy of contact for the forces last evaluated \[F L\].
@@ -182,7 +185,7 @@ impl Loading {
         let scale = |applied: &AppliedLoad| {
             if applied.load.case() == under_way { applied.scale(at, under_way) } else { 0.0 }
         };
-        self.sum(Part::Rate { level }, scale, reference, dependents, motion);
+        self.sum(Part::Rate { level }, scale, reference, dependents, motion, |_| ());
     }
 
     /// Sums the loads, each times a factor, with what tools exert; at an instant, with the springs and what a function exerts then.
@@ -193,6 +196,7 @@ impl Loading {
         reference: &Reference,
         dependents: &mut Dependents,
         motion: &mut Moving,
+        bring: impl FnOnce(&mut [Row]),
     ) {
         if self.external.is_empty() {
             return;
@@ -276,6 +280,7 @@ impl Loading {
                 tools.add_rates(Instant { time: 0.0, level }, *case, &motion.state, external)
             }
         }
+        bring(external);
         dependents.ties.condense_external(&motion.state, external);
     }
 

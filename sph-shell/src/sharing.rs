@@ -9,25 +9,25 @@ use crate::conditions::on_share::OnShare;
 use crate::error::ShellError;
 use crate::gather::Places;
 use crate::points::bounds::BoundViolation;
+use crate::points::remembering::RememberingPack;
 use crate::time::fused::Fused;
 use crate::time::share::Share;
 
 impl Shell {
     /// Marches it with others, each of whom has built the same shell: this one moves its share of the particles. All that a march returns is that of
-    /// the whole, with the bits of one who marches it alone; what is read of particles is right after [`Shell::bring`].
+    /// the whole, with the bits of one who marches it alone; what is read of particles is right after [`Shell::bring`]. All of them do the same to it
+    /// in the same order, [`Shell::set_state`] and [`Shell::take_up`] too.
     ///
     /// # Errors
-    /// [`ShellError::NotShared`]: strains that are not sampled in cells, junctions, rigid sets and ties, tools, contact, fluids, what is enclosed,
-    /// sections with memory, loads that do not say what they add to a range of particles ([`crate::Load::on_share`]).
+    /// [`ShellError::NotShared`]: strains that are not sampled in cells, tools, contact, fluids, what is enclosed, loads that do not say what they add
+    /// to a range of particles ([`crate::Load::on_share`]).
     pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), ShellError> {
         let Self { reference, points, dependents, loading, evaluation, .. } = self;
         let refusals = [
             (evaluation.plan.is_none(), "a shell whose strains are not sampled in cells"),
-            (!dependents.is_empty(), "a shell with junctions, rigid sets or ties"),
             (!loading.tools.is_empty() || loading.own_contact.is_some(), "a shell that may touch"),
             (loading.wetted.is_some(), "a shell in a fluid"),
             (loading.enclosed(1.0).next().is_some(), "a shell that encloses a gas or a liquid"),
-            (!points.sections.histories().is_empty(), "a shell whose section has a memory"),
         ];
         if let Some((_, what)) = refusals.iter().find(|(refused, _)| *refused) {
             return Err(ShellError::NotShared(what));
@@ -45,7 +45,7 @@ impl Shell {
                 "a shell with a load that does not say what it adds to a range of particles",
             ));
         };
-        let share = Share::new(peers, cut, &packs, reads);
+        let share = Share::new(peers, cut, &packs, [reads, dependents.bound()]);
         let ranges = [share.own(), share.interior()];
         evaluation.plan = Some(Fused::plan(&points.packs, &places, ranges, evaluation.threads));
         if share.is_shared() {
@@ -55,11 +55,12 @@ impl Shell {
         Ok(())
     }
 
-    /// Brings motion and forces of all particles to everyone who marches it. All of them call it.
+    /// Brings motion and forces of all particles, and the history of all points, to everyone who marches it. All of them call it.
     pub fn bring(&mut self) {
         let Self { points, loading, motion, share, .. } = self;
         if share.is_shared() {
             share.moved();
+            bring_histories(points.sections.histories_mut(), share);
             let [external, of_springs] = loading.rows_mut();
             let rows = [&mut motion.state[..], &mut motion.rates, points.direct_mut(), external, of_springs];
             rows.into_iter().filter(|rows| !rows.is_empty()).for_each(|rows| share.bring(rows));
@@ -106,5 +107,23 @@ impl Shell {
         }
         share.bring(&mut state);
         points.first_bound_violation(reference, &state, pack..pack + 1)
+    }
+}
+
+/// Brings histories of packs to everyone from those who look after them; who sweeps a pack has its history already.
+fn bring_histories(packs: &mut [RememberingPack], share: &Share) {
+    let width = packs.iter().map(RememberingPack::count).max().unwrap_or(0);
+    if width == 0 {
+        return;
+    }
+    let mut brought: Vec<Vec<f64>> = vec![Vec::new(); packs.len()];
+    let read = |pack: usize, row: &mut [f64]| {
+        row.iter_mut().zip(packs[pack].numbers()).for_each(|(row, number)| *row = number);
+    };
+    share.bring_packs(width, read, |pack, row| brought[pack] = row.to_vec());
+    for ((pack, row), touched) in packs.iter_mut().zip(&brought).zip(share.touched()) {
+        if !touched && !row.is_empty() {
+            pack.take_up(&row[..pack.count()]);
+        }
     }
 }

@@ -208,12 +208,16 @@ impl Shell {
 
     /// The same in a step that takes a time \[T\].
     pub(crate) fn commit_in(&mut self, duration: f64) {
-        let Self { points, material, motion, loading, evaluation, .. } = self;
+        let Self { points, material, motion, loading, evaluation, share, .. } = self;
         if let Some(own) = &mut loading.own_contact {
             own.moved();
             own.commit();
         }
-        points.commit(material.strain, &motion.state, duration, evaluation.threads);
+        if !points.sections.histories().is_empty() {
+            share.arrive(&mut motion.state);
+        }
+        let (rows, touched) = ((&motion.state[..], duration), share.touched());
+        points.commit(material.strain, rows, touched, evaluation.threads);
         loading.tools.commit();
         loading.enclosed(1.0).for_each(|(enclosed, _)| enclosed.note());
     }
@@ -301,13 +305,14 @@ impl Shell {
         let Self { reference, material, points, dependents, motion, evaluation, share, .. } = self;
         let Evaluation { plan, slots, pack_energies, internal_energy, threads, .. } = evaluation;
         if let Some(plan) = plan {
-            dependents.ties.put(&mut motion.state);
             share.exchange(&mut motion.state);
+            dependents.ties.put(&mut motion.state);
             let mut forces = std::mem::take(points.direct_mut());
             let sweep = Sweep { points, law: material.law(), state: &motion.state, energy };
             plan.forces(&sweep, &mut forces[share.own()]);
             *internal_energy =
                 if energy { share.energy(points.packs.points.len(), |pack| plan.energy(pack)) } else { 0.0 };
+            share.exchange_bound(&mut forces);
             dependents.ties.condense_internal(&motion.state, &mut forces);
             *points.direct_mut() = forces;
             return;
@@ -338,7 +343,7 @@ impl Shell {
             share.bring(&mut motion.state);
             share.bring(&mut motion.rates);
         }
-        loading.evaluate(at, reference, dependents, motion);
+        loading.evaluate(at, reference, dependents, motion, |rows| share.exchange_bound(rows));
     }
 
     /// Lets a function exert forces on all particles from now on, in marches.

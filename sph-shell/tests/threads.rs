@@ -144,6 +144,33 @@ fn allocations(threads: usize, mut shell: Shell) -> usize {
     })
 }
 
+/// Peers too, whose shells are a plate under loads, one that yields, and a frame. The watch every 64 steps copies the state.
+#[test]
+fn a_step_of_peers_allocates_nothing() {
+    let _alone = ALONE.lock().unwrap();
+    let cells = Formulation::StressPoint(Reach::Cell);
+    let frame = || Shell::builder(common::parts(common::tee(12, 1.0, 40), cells, 0.1)).build().unwrap();
+    let shells: [&(dyn Fn() -> Shell + Sync); 2] = [&|| body(cells, 1), &frame];
+    for build in shells {
+        let counted = peers::together(2, |peers| {
+            let mut shell = build();
+            shell.share(peers).unwrap();
+            let mut clock = Clock::start(&mut shell, 1.0, 0.7, 0.01).unwrap();
+            let mut march = |steps: usize| {
+                for _ in 0..steps {
+                    clock.step(&mut shell, f64::INFINITY, |_| 1.0).unwrap();
+                }
+            };
+            march(20);
+            let region = Region::new(ALLOCATOR);
+            march(200);
+            region.change().allocations
+        });
+        let counted = counted.unwrap();
+        assert!(counted.iter().all(|counted| *counted < 30), "{counted:?} allocations in 200 steps");
+    }
+}
+
 #[test]
 fn a_step_allocates_nothing() {
     let _alone = ALONE.lock().unwrap();

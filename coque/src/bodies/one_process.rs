@@ -12,12 +12,10 @@ pub enum NotShared {
 }
 
 /// Parts in the words of their models, and the keys of scenes that ask for them.
-const KEYS: [(&str, &str); 12] = [
+const KEYS: [(&str, &str); 10] = [
     ("a shell whose strains are not sampled in cells", "formulation"),
-    ("a shell with junctions, rigid sets or ties", "a mesh of several sheets, [[rigid]], [[ties]]"),
     ("a shell that may touch", "[[tools]], [[contact]]"),
     ("a shell that encloses a gas or a liquid", "loads[].gas, loads[].volume"),
-    ("a shell whose section has a memory", "material.plastic"),
     ("a plate of two sheets", "formulation.two-sheets"),
     ("a solid whose fragments may touch", "contact"),
     ("a solid on which a function exerts forces", "Model::push"),
@@ -31,6 +29,11 @@ const KEYS: [(&str, &str); 12] = [
 fn key(what: &str) -> String {
     let found = KEYS.iter().find(|(known, _)| *known == what);
     found.map_or_else(String::new, |(_, keys)| format!(" ({keys})"))
+}
+
+/// A kind of body in words.
+fn named(kind: &str) -> String {
+    if kind == "several" { "a scene of several bodies".into() } else { format!("a body of the kind {kind}") }
 }
 
 /// Why one process has to run a model.
@@ -49,8 +52,9 @@ pub enum OneProcess {
     },
     /// Its kind of body is run by one, by this analysis.
     #[error(
-        "a body of the kind {kind} with [analysis.{analysis}] runs in one process, but {started} were started together: start \
-         one, with as many --threads as there are cores"
+        "{} with [analysis.{analysis}] runs in one process, but {started} were started together: start \
+         one, with as many --threads as there are cores",
+        named(.kind)
     )]
     Kind {
         /// The kind.

@@ -73,6 +73,11 @@ impl Junctions {
         self.groups.is_empty()
     }
 
+    /// The particles of all groups.
+    pub fn particles(&self) -> impl Iterator<Item = usize> {
+        self.groups.iter().flat_map(|group| &group.particles).map(|&a| a as usize)
+    }
+
     /// Number of the group of a particle, if it belongs to one.
     pub fn number(&self, particle: usize) -> Option<usize> {
         (*self.group_of.get(particle)? as usize).checked_sub(1)

@@ -78,12 +78,18 @@ impl Sweep<'_> {
 }
 
 impl Points {
-    /// Commits what a state makes of the history of each point in a step that takes a time \[T\].
-    pub fn commit(&mut self, strain: &dyn StrainMeasure, state: &[Row], duration: f64, threads: usize) {
+    /// Commits what a state makes of the history of each point in a step that takes a time \[T\]; of the touched packs alone if any are said to be.
+    pub fn commit(
+        &mut self,
+        strain: &dyn StrainMeasure,
+        (state, duration): (&[Row], f64),
+        touched: &[bool],
+        threads: usize,
+    ) {
         let Sections::Remembering(packs) = &mut self.sections else { return };
         let mut packs = std::mem::take(packs);
         parallel::chunks(threads, &mut packs[..], |first, chunk: &mut [RememberingPack]| {
-            widest(Committing { points: self, strain, state, duration, first, packs: chunk });
+            widest(Committing { points: self, strain, state, duration, touched, first, packs: chunk });
         });
         self.sections = Sections::Remembering(packs);
     }
@@ -96,6 +102,8 @@ struct Committing<'a> {
     state: &'a [Row],
     /// Time of the step \[T\]; infinite at rest.
     duration: f64,
+    /// Whether each pack is to be committed; all if there is none.
+    touched: &'a [bool],
     first: usize,
     packs: &'a mut [RememberingPack],
 }
@@ -107,6 +115,9 @@ impl Work for Committing<'_> {
     fn run<R: Registers>(self, registers: R) {
         for (i, pack) in self.packs.iter_mut().enumerate() {
             let place = self.first + i;
+            if self.touched.get(place) == Some(&false) {
+                continue;
+            }
             let strain: &dyn StrainMeasure = self.points.strains.get(place).map_or(self.strain, |own| own);
             match (strain as &dyn Any).downcast_ref::<Logarithmic>() {
                 Some(strain) => {
@@ -222,6 +233,7 @@ mod tests {
                     strain: &Logarithmic,
                     state: &state,
                     duration: 1e-4,
+                    touched: &[],
                     first: 0,
                     packs: &mut packs,
                 };

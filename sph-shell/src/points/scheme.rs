@@ -77,17 +77,20 @@ impl Sections {
         if let Self::Remembering(packs) = self { packs } else { &[] }
     }
 
+    /// Those that have a history, to be changed.
+    pub fn histories_mut(&mut self) -> &mut [RememberingPack] {
+        if let Self::Remembering(packs) = self { packs } else { &mut [] }
+    }
+
     /// Takes up what the histories gave as numbers; false, and nothing changed, if there are not as many.
     pub fn take_up(&mut self, mut numbers: &[f64]) -> bool {
         if self.histories().iter().map(RememberingPack::count).sum::<usize>() != numbers.len() {
             return false;
         }
-        if let Self::Remembering(packs) = self {
-            for pack in packs {
-                let (own, rest) = numbers.split_at(pack.count());
-                pack.take_up(own);
-                numbers = rest;
-            }
+        for pack in self.histories_mut() {
+            let (own, rest) = numbers.split_at(pack.count());
+            pack.take_up(own);
+            numbers = rest;
         }
         true
     }

@@ -16,6 +16,7 @@ use crate::packs::Row;
 use crate::points::bounds::BoundViolation;
 use crate::points::sweep::Sweep;
 use crate::registers::Registers;
+use crate::ties::list::Ties;
 use crate::time::evaluation::Evaluation;
 use crate::time::particle::{Rows, Slots, Update, drifted};
 use crate::time::share::Share;
@@ -75,19 +76,25 @@ impl Shell {
         let Dependents { junctions, ties } = dependents;
         let update = update_of(ties.moving_masses(reference), constraints, loading, points.direct(), step);
         let Evaluation { slots, chunk_work, threads, .. } = evaluation;
+        let (own, chunks) = (share.own(), share.chunks());
         let slots = points.lists().map(|lists| Slots { rows: slots, lists, first: 0 });
         let Moving { state, next, rates } = &mut *motion;
         let chunk = |first: usize, ((next, rates), ByChunk(work)): ChunkRows<'_>| {
             let ([work, ..], rows) = (work, Rows { state, next, rates }) else { return };
-            widest(Chunk::<DRIFT> { update: &update, slots, first, rows, work });
+            widest(Chunk::<DRIFT> { update: &update, slots, first: own.start + first, rows, work });
         };
-        parallel::chunks(*threads, ((&mut next[..], &mut rates[..]), ByChunk(chunk_work)), chunk);
+        let rows = (&mut next[own.clone()], &mut rates[own.clone()]);
+        parallel::chunks(*threads, (rows, ByChunk(&mut chunk_work[chunks])), chunk);
         if DRIFT {
+            let others = |a: &usize| share.is_shared() && !own.contains(a);
+            for a in junctions.particles().filter(others) {
+                next[a] = drifted(&state[a], &[0.0; 6], step.drift()).0;
+            }
             std::mem::swap(state, next);
             share.moved();
         }
         junctions.drift(motion, constraints, if DRIFT { step.drift() } else { 0.0 });
-        ties.put(&mut motion.state);
+        put_ties(ties, share, motion);
         evaluation.total_work(share, step, of_groups, loading.rubbed())
     }
 
@@ -105,6 +112,14 @@ impl Shell {
         plan.advance(&sweep, &update, rows, &mut chunk_work[chunks], |next| share.send(next));
         std::mem::swap(state, next);
         evaluation.total_work(share, step, Work::default(), loading.rubbed())
+    }
+}
+
+/// Puts what hangs where its hosts are, which may be those of others.
+fn put_ties(ties: &Ties, share: &Share, motion: &mut Moving) {
+    if !ties.is_empty() {
+        share.arrive(&mut motion.state);
+        ties.put(&mut motion.state);
     }
 }
 
@@ -147,7 +162,7 @@ impl Dynamics for Shell {
             (*row, *rate) = drifted(row, rate, step.drift());
         }
         junctions.drift(motion, constraints, step.drift());
-        ties.put(&mut motion.state);
+        put_ties(ties, share, motion);
         self.commit_in(step.drift());
     }
 

@@ -6,11 +6,14 @@
 //!
 //! Chunks with particles that others need are swept first, and their new rows are sent at once: they are under way while the interior is swept, and
 //! are taken as the next step begins.
+//!
+//! Whoever marches a shell moves all of its groups and all that hangs by ties, with the same bits: the states of *bound* particles, those that
+//! move with others or bear them, are ghosts everywhere, and so are their forces.
 
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use peers::{Alone, Cut, Exact, Greatest, Lane, Peers, agree};
+use peers::{Alone, Cut, Exact, Greatest, Lane, Lists, Partner, Peers, agree};
 
 use crate::packs::Row;
 
@@ -43,6 +46,7 @@ struct Carrier {
 /// One of those who march a shell.
 pub(crate) struct Share {
     carrier: Mutex<Carrier>,
+    rank: u32,
     cut: Cut,
     own: Range<usize>,
     /// Own particles in whole chunks of which nobody else needs any.
@@ -50,8 +54,12 @@ pub(crate) struct Share {
     /// Particles of others whose rows come in.
     ghosts: Vec<u32>,
     lane: Option<Lane>,
-    /// Whether this one adds the energy of a pack, of which there may be several copies; all of them where it is alone.
-    packs: Vec<bool>,
+    /// For the forces of bound particles, if there are any.
+    bound: Option<Lane>,
+    /// Who adds the energy of each pack, of which there may be several copies; empty where one is alone.
+    packs: Vec<u32>,
+    /// Whether a pack touches own particles; empty where one is alone.
+    touched: Vec<bool>,
 }
 
 impl Share {
@@ -59,31 +67,46 @@ impl Share {
     pub fn alone(particles: usize) -> Self {
         Self {
             carrier: Mutex::new(Carrier { peers: Box::new(Alone), ghosts: Ghosts::Old }),
+            rank: 0,
             cut: Cut::even(particles, 1),
             own: 0..particles,
             interior: 0..particles,
             ghosts: Vec::new(),
             lane: None,
+            bound: None,
             packs: Vec::new(),
+            touched: Vec::new(),
         }
     }
 
-    /// Of one of several, from the particles of each pack and what it reads of others beside.
-    pub fn new(mut peers: Box<dyn Peers>, cut: Cut, packs: &[Vec<u32>], reads: Vec<u32>) -> Self {
-        let own = cut.own(peers.rank());
-        let is_own = |a: &u32| own.contains(&(*a as usize));
-        let touched = packs.iter().filter(|pack| pack.iter().any(is_own));
-        let needs: Vec<u32> = touched.flatten().copied().chain(reads).collect();
+    /// Of one of several, from the particles of each pack, what it reads of others beside, and the bound ones.
+    pub fn new(
+        mut peers: Box<dyn Peers>,
+        cut: Cut,
+        packs: &[Vec<u32>],
+        [reads, bound]: [Vec<u32>; 2],
+    ) -> Self {
+        let (rank, own) = (peers.rank(), cut.own(peers.rank()));
+        let touches = |pack: &Vec<u32>| pack.iter().any(|&a| own.contains(&(a as usize)));
+        let touched: Vec<bool> = packs.iter().map(touches).collect();
+        let of_packs = packs.iter().zip(&touched).filter(|(_, touched)| **touched);
+        let needs: Vec<u32> =
+            of_packs.flat_map(|(pack, _)| pack).chain(&reads).chain(&bound).copied().collect();
         let lists = agree(&mut *peers, &cut, &needs);
-        let lane = (peers.count() > 1).then(|| peers.open(&lists, WIDTH));
+        let shared = peers.count() > 1;
+        let lane = shared.then(|| peers.open(&lists, WIDTH));
+        let bound = (shared && !bound.is_empty()).then(|| {
+            let lists = agree(&mut *peers, &cut, &bound);
+            peers.open(&lists, WIDTH)
+        });
         let partners = || lists.partners().iter();
         let ghosts = partners().flat_map(|partner| &partner.take).copied().collect();
         let interior = interior(&own, partners().flat_map(|partner| &partner.send).copied());
-        // The owner of its least particle adds the energy of a pack.
-        let first = |pack: &Vec<u32>| pack.iter().min().is_some_and(is_own);
+        // The owner of its least particle adds the energy of a pack; one of no particle has none.
+        let first = |pack: &Vec<u32>| pack.iter().min().map_or(0, |&a| cut.owner(a as usize) as u32);
         let packs = packs.iter().map(first).collect();
         let carrier = Mutex::new(Carrier { peers, ghosts: Ghosts::Old });
-        Self { carrier, cut, own, interior, ghosts, lane, packs }
+        Self { carrier, rank: rank as u32, cut, own, interior, ghosts, lane, bound, packs, touched }
     }
 
     fn carrier(&self) -> MutexGuard<'_, Carrier> {
@@ -112,7 +135,12 @@ impl Share {
 
     /// Whether it is this one that adds the energy of a pack, and looks after its points.
     pub fn has(&self, pack: usize) -> bool {
-        self.packs.get(pack).is_none_or(|own| *own)
+        self.packs.get(pack).is_none_or(|owner| *owner == self.rank)
+    }
+
+    /// Whether each pack touches own particles; nothing where one is alone.
+    pub fn touched(&self) -> &[bool] {
+        &self.touched
     }
 
     /// Whether there are others.
@@ -157,6 +185,35 @@ impl Share {
             peers.take(lane, &mut |_, _| ());
         }
         *ghosts = Ghosts::Old;
+    }
+
+    /// Brings rows of bound particles to all from their owners.
+    pub fn exchange_bound(&self, rows: &mut [Row]) {
+        let Some(lane) = &self.bound else { return };
+        let peers = &mut self.carrier().peers;
+        peers.send(lane, &|a, row| row.copy_from_slice(&rows[a as usize]));
+        peers.take(lane, &mut |a, row| rows[a as usize].copy_from_slice(row));
+    }
+
+    /// Brings numbers of packs, `width` each, to all from those who look after them.
+    pub fn bring_packs(
+        &self,
+        width: usize,
+        read: impl Fn(usize, &mut [f64]),
+        mut write: impl FnMut(usize, &[f64]),
+    ) {
+        let numbers = |rank: u32| -> Vec<u32> {
+            (0..).zip(&self.packs).filter(|(_, owner)| **owner == rank).map(|(pack, _)| pack).collect()
+        };
+        let own = numbers(self.rank);
+        let others = (0..self.cut.peers()).filter(|&rank| rank as u32 != self.rank);
+        let partners = others.map(|rank| Partner { rank, send: own.clone(), take: numbers(rank as u32) });
+        let lists = Lists::new(partners.collect());
+        let peers = &mut self.carrier().peers;
+        let lane = peers.open(&lists, width);
+        peers.send(&lane, &|pack, row| read(pack as usize, row));
+        peers.take(&lane, &mut |pack, row| write(pack as usize, row));
+        peers.close(lane);
     }
 
     /// Brings rows of all particles to all.
@@ -225,4 +282,22 @@ fn interior(own: &Range<usize>, sent: impl Iterator<Item = u32>) -> Range<usize>
     let place = |chunk: usize| (own.start + chunk * parallel::CHUNK).min(own.end);
     let found = place(longest.start)..place(longest.end);
     if found.len() as f64 >= LEAST_INTERIOR * own.len() as f64 { found } else { own.end..own.end }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is sent splits a share; the longest piece is the interior, and none that is short.
+    #[test]
+    fn the_interior_is_the_longest_run_of_chunks_that_nobody_needs() {
+        let own = 1024..4000; // six chunks, the last of 416
+        assert_eq!(interior(&own, std::iter::empty()), own);
+        assert_eq!(interior(&own, [1024, 1500].into_iter()), 1536..4000);
+        assert_eq!(interior(&own, [1024, 3999].into_iter()), 1536..3584);
+        assert_eq!(interior(&own, [3000].into_iter()), 1024..2560);
+        // Three chunks, 1440 particles of 2976.
+        assert_eq!(interior(&own, [1030, 2100].into_iter()), 4000..4000);
+        assert_eq!(interior(&(512..512), std::iter::empty()), 512..512);
+    }
 }

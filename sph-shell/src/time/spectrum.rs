@@ -51,6 +51,7 @@ impl LinearisedDynamics for Shell {
             if !self.loading.spring_forces.is_empty() {
                 let body = self.dependents.loaded(&self.reference, &self.motion.state);
                 self.loading.add_springs(&body, force);
+                self.share.exchange_bound(force);
             }
             if self.loading.touches() {
                 self.loading.add_contact_bounds(&self.motion.state, &home, force);
@@ -71,8 +72,10 @@ impl LinearisedDynamics for Shell {
         let [plus, minus] = forces;
         let change = |a: usize| -> Row { std::array::from_fn(|k| (plus[a][k] - minus[a][k]) / (2.0 * eps)) };
         out.fill(0.0);
-        for (a, out) in out.chunks_exact_mut(6).enumerate().take(own.end).skip(own.start) {
-            out.copy_from_slice(&self.free_part(a, change));
+        // Everyone who marches the shell moves its groups.
+        let firsts = self.dependents.junctions.groups.iter().map(Group::first);
+        for a in own.clone().chain(firsts.filter(|a| !own.contains(a))) {
+            out[6 * a..][..6].copy_from_slice(&self.free_part(a, change));
         }
         for (number, group) in self.dependents.junctions.groups.iter().enumerate() {
             let change =

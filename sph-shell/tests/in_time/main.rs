@@ -11,6 +11,7 @@ mod energy;
 mod history;
 mod march;
 mod shared;
+mod shared_bodies;
 mod strong_form;
 mod strong_form_difference;
 mod turned;
