@@ -50,7 +50,12 @@ fn program(name: &str) -> Command {
 
 /// `coque run` of the plate with values replaced.
 fn run(out: &Path, replaced: &[&str]) -> Vec<String> {
-    let start = ["run", "scenes/plate.toml", "--out", &out.to_string_lossy()].map(str::to_owned);
+    run_of("scenes/plate.toml", out, replaced)
+}
+
+/// The same of any scene.
+fn run_of(scene: &str, out: &Path, replaced: &[&str]) -> Vec<String> {
+    let start = ["run", scene, "--out", &out.to_string_lossy()].map(str::to_owned);
     start
         .into_iter()
         .chain(replaced.iter().flat_map(|value| ["--set".to_owned(), value.to_string()]))
@@ -133,23 +138,42 @@ fn summary(folder: &Path) -> serde_json::Value {
     summary
 }
 
+/// Shells by any number of processes, bonds that break and a fluid by three.
 #[test]
 fn the_folder_is_that_of_one_process() {
-    let replaced = [PLATE[0], PLATE[1], "output.fields={ stresses = true }"];
-    let alone = folder("alone");
-    done(0, &run(&alone, &replaced));
-    assert!(files(&alone).len() > 5, "{:?}", files(&alone).iter().map(|(name, _)| name).collect::<Vec<_>>());
-    for (processes, threads) in [(1, "1"), (2, "2"), (3, "1"), (4, "1"), (7, "1")] {
-        let out = folder(&format!("of-{processes}"));
-        let mut arguments = run(&out, &replaced);
-        arguments.extend(["--threads".into(), threads.into()]);
-        done(processes, &arguments);
-        for ((name, bytes), (other, expected)) in files(&out).iter().zip(files(&alone)) {
-            assert_eq!(*name, other);
-            assert!(*bytes == expected, "{name} of {processes} processes");
+    let glass = [
+        "bodies.glass.solid.geometry.block.spacing=2e-3",
+        "analysis.explicit.transient.record_every=5e-6",
+        "output.fields={ every = 2 }",
+    ];
+    let water = ["analysis.explicit.transient.duration=0.05", "output.fields={ every = 2 }"];
+    for (scene, replaced, numbers) in [
+        (
+            "plate",
+            &[PLATE[0], PLATE[1], "output.fields={ stresses = true }"][..],
+            &[(1, "1"), (2, "2"), (3, "1"), (4, "1"), (7, "1")][..],
+        ),
+        ("crack-branching", &glass, &[(3, "1")]),
+        ("dam-break", &water, &[(3, "1")]),
+    ] {
+        let file = format!("scenes/{scene}.toml");
+        let alone = folder(&format!("{scene}-alone"));
+        done(0, &run_of(&file, &alone, replaced));
+        let expected = files(&alone);
+        assert!(expected.len() > 5, "{:?}", expected.iter().map(|(name, _)| name).collect::<Vec<_>>());
+        for &(processes, threads) in numbers {
+            let out = folder(&format!("{scene}-{processes}"));
+            let mut arguments = run_of(&file, &out, replaced);
+            arguments.extend(["--threads".into(), threads.into()]);
+            done(processes, &arguments);
+            let found = files(&out);
+            assert_eq!(found.len(), expected.len());
+            for ((name, bytes), (other, expected)) in found.iter().zip(&expected) {
+                assert_eq!(name, other);
+                assert!(bytes == expected, "{name} of {processes} processes");
+            }
+            assert_eq!(summary(&out), summary(&alone), "{scene}, {processes} processes");
         }
-        assert_eq!(files(&out).len(), files(&alone).len());
-        assert_eq!(summary(&out), summary(&alone), "{processes} processes");
     }
 }
 

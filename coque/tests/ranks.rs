@@ -12,7 +12,7 @@ use coque::{Ended, Outcome, Progress, ProgressReport, Ranks, RunOptions, Silent}
 use peers::together;
 
 /// Scenes of several chunks that take a second or two, one for each way to march and one that relaxes.
-const SHELLS: [(&str, Replaced<'static>); 3] = [
+const SHELLS: [(&str, Replaced<'static>); 4] = [
     (
         "panel.toml",
         &[
@@ -25,6 +25,13 @@ const SHELLS: [(&str, Replaced<'static>); 3] = [
         &[
             ("geometry.plate.particles", "[41, 41]"),
             ("analysis", "{ explicit = { transient = { duration = 0.02, record_every = 0.002 } } }"),
+        ],
+    ),
+    (
+        "ring-struck.toml",
+        &[
+            ("geometry.cylinder.particles", "[91, 9]"),
+            ("analysis.explicit.transient", "{ duration = 2e-5, record_every = 2e-6 }"),
         ],
     ),
     (
