@@ -1,5 +1,7 @@
 //! One sweep, two passes and peers: the same bits on many layouts.
 
+// Said here too: `cargo xtask tidy` reads files one by one.
+#[cfg(test)]
 use explicit_dynamics::{Amplitude, LinearisedDynamics};
 use shell_kinematics::{Isotropic, IsotropicSection, StretchCorrected};
 use sph_core::{
