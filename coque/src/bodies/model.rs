@@ -84,6 +84,9 @@ pub enum NoPush {
         "a function exerts forces on a shell or a solid that is alone in its scene, not on a body of the kind {0}"
     )]
     Body(&'static str),
+    /// Several processes run it already.
+    #[error("a function exerts forces on what one process runs; give it before the model is shared")]
+    Shared,
 }
 
 /// Looks for warnings in the shapes that a body of such cells took.
@@ -133,6 +136,9 @@ impl Model {
     pub fn push(&mut self, exert: Exert) -> Result<(), NoPush> {
         let kind = self.task.analysis.kind();
         let Ready::Dynamic(body) = &mut self.body else { return Err(NoPush::Timeless(kind.name)) };
+        if self.ranks.is_some() {
+            return Err(NoPush::Shared);
+        }
         body.push(exert).map_err(|_| NoPush::Body(self.description.kind))?;
         self.task.output.checkpoint_every = None;
         self.description.left_out.retain(|line| line != "loads");
