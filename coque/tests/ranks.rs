@@ -82,7 +82,7 @@ const OTHERS: [(&str, Replaced<'static>); 4] = [
 fn the_first_finds_what_one_alone_finds() {
     for (name, replaced) in SHELLS.into_iter().chain(OTHERS) {
         let alone = found(&common::done(name, replaced));
-        for (count, threads) in [(1, 1), (2, 2), (3, 1), (4, 1)] {
+        for (count, threads) in [(2, 2), (3, 1)] {
             let all = together(count, |peers| {
                 let mut model = scene(name, replaced).unwrap().build(threads).unwrap();
                 model.share(&Ranks::new(peers)).unwrap();
