@@ -257,7 +257,14 @@ impl Fluid {
 
 impl BoundaryDriven for Fluid {
     fn set_boundary(&mut self, structure: usize, end: &BoundaryState, velocities: &[[f64; 3]]) {
-        self.boundary.set_structure(structure, self.dimensions, end, velocities);
+        if self.share.shared().is_some() {
+            if self.boundary.is_put_off(structure) {
+                self.settle();
+            }
+            self.boundary.put_off(structure, end, velocities);
+        } else {
+            self.boundary.set_structure(structure, self.dimensions, end, velocities);
+        }
         self.fresh = false;
     }
 
@@ -361,6 +368,7 @@ impl Fluid {
             (own.dissipated, own.density_error, self.fastest) = (dissipated, density_error, fastest);
         }
         boundary.advance = 0.0;
+        boundary.forget_put_off();
         self.fresh = false;
         self.deal_out(false);
         Ok(())

@@ -67,8 +67,13 @@
 //!
 //! What a step records is added plainly within a cell, in the order of its particles, and the cells exactly; of boundaries point by point.
 //! That depends on places alone, so that all records have the bits of one who marches alone, who adds the same way. Whole arrays
-//! are brought by [`Fluid::bring`]. A march of several with structures is refused yet, so are predictor and corrector and walls
-//! of the published method.
+//! are brought by [`Fluid::bring`]. Predictor and corrector are refused, so are walls of the published method.
+//!
+//! Structures are whole with each of them, who all march them with the same bits. A point belongs to the owner of the cell in which it
+//! was dealt out, who brings the force on it to all: 24 bytes a point and step. What points resisted goes to the particles that each
+//! moves; he knows all that such a point sees. Their velocities come in once more then, and work and speed are added and compared.
+//! A structure is put into its next place within the drift, so that all can be dealt out anew before, where it was when forces were
+//! found (src/boundary/pending.rs).
 //!
 //! # What holds, and the test that says so
 //!
@@ -81,6 +86,7 @@
 //! | laminar friction hardly depends on the direction of a lattice | src/momentum.rs |
 //! | the same bits for 1, 2 and 4 threads, and after a resume; no step allocates | tests/threads.rs |
 //! | the same bits for one to seven who march together: motion, works, records, gauges, refusals | tests/shared.rs |
+//! | the same with structures: two clocks in both orders, structures that go far, states taken up | tests/coupled |
 //! | a flow turned or mirrored is the same | `quarters_and_mirrors` (tests/turned.rs) |
 //! | water at rest is hydrostatic and stays at rest | `in_a_plane`, `in_space` (tests/water.rs) |
 //! | the axes of a drop are those of an ideal fluid | `in_a_plane`, `in_space` (tests/drop.rs) |

@@ -15,13 +15,12 @@ impl Fluid {
     /// Marches it with others, each of whom has built the same fluid: this one moves its part of the particles. All that a march
     /// returns is that of the whole, with the bits of one who marches it alone; what is read of the fluid is right after
     /// [`Fluid::bring`]. All of them call the methods that march it, its bounds among them, in the same order, and give it the same
-    /// states.
+    /// states. Structures in it are whole with each of them, who all march them: forces on their points are right with everyone.
     ///
     /// # Errors
-    /// [`FluidError::NotShared`]: structures in the fluid, predictor and corrector, walls with a density of their own.
+    /// [`FluidError::NotShared`]: predictor and corrector, walls with a density of their own.
     pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), FluidError> {
         let refusals = [
-            (self.boundary.has_structures(), "a fluid with structures in it"),
             (
                 self.formulation.scheme == Scheme::PredictorCorrector,
                 "a fluid marched by predictor and corrector",
@@ -40,6 +39,11 @@ impl Fluid {
 
     /// Brings the state of all particles and forces on all walls to everyone who marches it. All of them call it.
     pub fn bring(&mut self) {
+        self.settle();
+        self.bring_all();
+    }
+
+    fn bring_all(&mut self) {
         let Self { present, boundary, ledger, share, .. } = self;
         let [error] = share.greatest([ledger.density_error]);
         ledger.density_error = error;
@@ -62,6 +66,15 @@ impl Fluid {
         shared.whole = whole;
     }
 
+    /// Brings velocities of particles that others move, to their rows too.
+    pub(crate) fn bring_velocities(&mut self) {
+        let Self { present, sorted, share, .. } = self;
+        share.bring_vectors(&mut present.velocities, |known| known);
+        for (known, _) in share.moves().iter().enumerate().filter(|(_, moves)| !**moves) {
+            sorted.rows[sorted.slots[known] as usize].set_velocity(present.velocities[known].into());
+        }
+    }
+
     /// Numbers of the particles that this one moves, ascending: all, unless others march it too. They change as the fluid flows.
     pub fn own_particles(&self) -> impl Iterator<Item = usize> {
         let moves = self.share.moves();
@@ -81,24 +94,43 @@ impl Fluid {
         self.share.shared().map_or(&self.present, |shared| &shared.whole)
     }
 
-    /// Deals all out anew before a drift that ends at a time, if the present deal does not last for it: where particles, or points of
-    /// walls, may go farther from where they were dealt out than is allowed for. Where one step is as much, or cells do not hold all,
-    /// everyone knows all.
-    pub(crate) fn deal_if_due(&mut self, end: f64, dt: f64) {
-        let Some(shared) = self.share.shared() else { return };
+    /// Gets ready for a drift that takes so long and ends at a time \[T\]: deals all out anew if need be, and puts structures where they
+    /// are to be.
+    pub(crate) fn settle_for(&mut self, end: f64, dt: f64) {
+        if self.share.shared().is_none() {
+            return;
+        }
+        let boundary = self.boundary.way_to(end).max(self.boundary.way_put_off(self.dimensions, dt));
         // The mean velocities of XSPH are no greater than the greatest but for what weights do not sum to one.
-        let ways = [1.1 * dt * self.fastest, self.boundary.way_to(end)];
+        self.deal_if_due([1.1 * dt * self.fastest, boundary]);
+        self.boundary.settle(self.dimensions);
+    }
+
+    /// Puts structures where they are to be, if no drift did so.
+    pub(crate) fn settle(&mut self) {
+        if self.share.shared().is_some() {
+            self.deal_if_due([0.0, self.boundary.way_put_off(self.dimensions, 0.0)]);
+            self.boundary.settle(self.dimensions);
+        }
+    }
+
+    /// Deals all out anew, where everything stood when forces were found, if the present deal does not last for ways to come \[L\] of
+    /// particles and of points of the boundary: where they may go farther from where they were dealt out than is allowed for. Where one
+    /// step is as much, or cells do not hold all, everyone knows all.
+    fn deal_if_due(&mut self, ways: [f64; 2]) {
+        let Some(shared) = self.share.shared() else { return };
         let gone = [shared.gone[0] + ways[0], shared.gone[1] + ways[1]];
         let allowed = FARTHEST * self.momentum.kernel.reach();
         let far = |ways: [f64; 2]| !ways.iter().all(|&way| way <= allowed);
         let spread = !shared.deal.everything && self.grid.may_be_cut_off(self.rest.len());
         let due = far(gone) || spread;
         if due {
-            self.bring();
+            self.bring_all();
             self.deal_out(far(ways));
-            // Slots as the last forces had them, by the numbers of who is known now.
+            // Slots and sides as the last forces had them, by the numbers of who is known now.
             self.sort(0.0, 0.0);
             self.fill(0.0, 0.0, true);
+            self.find_sides();
         }
         if let Some(shared) = self.share.shared_mut() {
             shared.gone = if due { ways } else { gone };
@@ -122,14 +154,11 @@ impl Fluid {
         let width = CELL * self.momentum.kernel.reach();
         let grid = Grid::around(self.dimensions, whole.positions.iter().copied(), width);
         let everything = too_far || grid.may_be_cut_off(whole.positions.len());
-        let (dimensions, positions, points) =
-            (self.dimensions, whole.positions.clone(), self.boundary.points.clone());
+        let (dimensions, positions) = (self.dimensions, whole.positions.clone());
+        let (points, wet) = (self.boundary.points.clone(), self.boundary.wet());
         move |rank, count| {
-            Deal::new(
-                &All { dimensions, grid, positions: &positions, points: &points, everything },
-                rank,
-                count,
-            )
+            let all = All { dimensions, grid, positions: &positions, points: &points, wet, everything };
+            Deal::new(&all, rank, count)
         }
     }
 

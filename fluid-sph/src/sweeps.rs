@@ -181,6 +181,8 @@ impl Fluid {
         let [signal, square] = self.share.greatest([found.signal, found.square]);
         self.force_sum = ForceSum { signal, square };
         boundary.keep_forces(self.mass, self.share.owns());
+        let wet = boundary.wet();
+        self.share.bring_forces(&mut boundary.forces[wet]);
     }
 
     /// Rates of density of the fluid and of boundaries, from the rows as they are.

@@ -8,8 +8,8 @@ use std::alloc::System;
 use std::sync::Mutex;
 
 use common::{disorder, pool};
-use explicit_dynamics::Clock;
-use fluid_sph::{Fluid, Formulation, Scheme, WallRule};
+use explicit_dynamics::{BoundaryDriven, BoundaryLayout, BoundaryState, Clock, Face, ThinLayout};
+use fluid_sph::{Fluid, Formulation, Scheme, Structure, WallRule};
 use peers::together;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
@@ -137,4 +137,42 @@ fn a_step_of_two_allocates_nothing() {
             assert_eq!(least.unwrap(), [Some(0); 2], "{dimensions} dimensions, XSPH {xsph}");
         }
     }
+}
+
+/// The same with a thin structure that is put somewhere in each step, and whose impulses the water takes.
+#[test]
+fn a_step_of_two_about_a_structure_allocates_nothing() {
+    let _alone = ALONE.lock().unwrap();
+    let points: Vec<[f64; 3]> =
+        (0..20).flat_map(|j| [0.28, 0.32].map(|x| [x, 0.02 * f64::from(j) + 0.01, 0.0])).collect();
+    let middle: Vec<[f64; 3]> = (0..20).map(|j| [0.3, 0.02 * f64::from(j) + 0.01, 0.0]).collect();
+    let faces = (0..40).map(|k| if k % 2 == 0 { Face::Back } else { Face::Front }).collect();
+    let thin = Some(ThinLayout { thickness: 0.06, faces, edges: vec![false; 20] });
+    let layout = BoundaryLayout { points: 40, areas: vec![0.02; 40], thin };
+    let state = BoundaryState { points, middle, normals: vec![[1.0, 0.0, 0.0]; 20] };
+    let least = together(2, |peers| {
+        let size = [0.6, 0.4, 0.4];
+        let structures = vec![Structure { layout: layout.clone(), state: state.clone() }];
+        let mut parts = pool(2, size, size, 0.02);
+        parts.positions.retain(|at| (at.x - 0.3).abs() > 0.04);
+        let mut fluid = Fluid::new(fluid_sph::Parts { structures, ..parts }).unwrap();
+        fluid.share(peers).unwrap();
+        let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
+        let mut about = |count: usize| {
+            for _ in 0..count {
+                fluid.set_boundary(0, &state, &[[0.0; 3]; 40]);
+                steps(&mut fluid, &mut clock, 1);
+                fluid.apply_reactions(0, &[[1e-3, 0.0, 0.0]; 40]);
+            }
+            assert!(fluid.boundary_forces(0).iter().all(|force| force[0] != 0.0));
+        };
+        about(3);
+        let least = (0..5).map(|_| {
+            let region = Region::new(ALLOCATOR);
+            about(10);
+            region.change().allocations
+        });
+        least.min()
+    });
+    assert_eq!(least.unwrap(), [Some(0); 2]);
 }

@@ -2,5 +2,6 @@
 
 pub(crate) mod check;
 pub(crate) mod ledger;
+pub(crate) mod pending;
 pub(crate) mod points;
 pub(crate) mod sides;

@@ -22,6 +22,7 @@ use sph_core::Vec3;
 use crate::books::put;
 use crate::boundary::check::check;
 use crate::boundary::ledger::Ledger;
+use crate::boundary::pending::Pending;
 use crate::boundary::sides::Thin;
 use crate::cells::{Grid, NOWHERE};
 use crate::error::FluidError;
@@ -71,6 +72,8 @@ pub(crate) struct Boundary {
     pub advance: f64,
     /// Work that is recorded at both ends of a step.
     pub ledger: Ledger,
+    /// By structure: where it is to be, of one who marches with others.
+    pub(super) pending: Vec<Pending>,
     /// Densities kept.
     kept: Vec<f64>,
     /// By point: bit of its face.
@@ -130,6 +133,7 @@ impl Boundary {
         all.densities = vec![parts.liquid.density; count];
         all.forces = vec![[0.0; 3]; count];
         all.ledger = Ledger::new(count);
+        all.pending = vec![Pending::default(); all.structures.len()];
         Ok(all)
     }
 
@@ -148,9 +152,10 @@ impl Boundary {
         self.walls.len()
     }
 
-    /// Whether there are structures.
-    pub fn has_structures(&self) -> bool {
-        !self.structures.is_empty()
+    /// The points of all structures.
+    pub fn wet(&self) -> Range<usize> {
+        let walls = self.walls.last().map_or(0, |wall| wall.range.end);
+        walls..self.points.len()
     }
 
     /// What a particle is called.

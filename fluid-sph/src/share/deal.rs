@@ -9,6 +9,8 @@
 //! farther than w from these, those they see not farther than w + D now, so 2w + D then: two rings of cells. Points of walls that they
 //! see take means of what they see in turn: 2w + 2D, three rings.
 
+use std::ops::Range;
+
 use peers::{Cut, Lists, Partner, along_curve};
 use sph_core::Vec3;
 
@@ -53,6 +55,8 @@ pub(crate) struct Deal {
     /// What is exchanged, by places among those known.
     pub lists: Lists,
     pub points: Dealt,
+    /// The points of structures, by their numbers among these.
+    pub wet: Dealt,
     /// By point of the boundary: whether its forces are his, and whether what he sweeps may see it.
     pub owns: Vec<bool>,
     pub near: Vec<bool>,
@@ -66,13 +70,15 @@ pub(crate) struct All<'a> {
     pub grid: Grid,
     pub positions: &'a [Vec3],
     pub points: &'a [Vec3],
+    /// Those of structures.
+    pub wet: Range<usize>,
     pub everything: bool,
 }
 
 impl Deal {
     /// The share of a rank of so many. Everyone finds the same owners.
     pub fn new(all: &All<'_>, rank: usize, count: usize) -> Self {
-        let All { dimensions, ref grid, positions, points, everything } = *all;
+        let All { dimensions, ref grid, positions, points, ref wet, everything } = *all;
         let mut sorted = Sorted::default();
         sorted.sort(1, grid, positions.len(), |i, _| positions[i].into());
         let rings = if points.is_empty() { 2 } else { 3 };
@@ -110,6 +116,7 @@ impl Deal {
             known,
             lists: Lists::new(partners),
             points: Dealt::new(&of_points, count),
+            wet: Dealt::new(&of_points[wet.clone()], count),
             owns: of_points.iter().map(|&owner| owner == rank).collect(),
             near: points.iter().map(is_near).collect(),
             grid: grid.clone(),

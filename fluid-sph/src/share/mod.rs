@@ -29,6 +29,8 @@ pub(crate) struct Shared {
     pub gone: [f64; 2],
     /// For vectors and for numbers; opened when first needed.
     lanes: Option<[Lane; 2]>,
+    /// Forces on the way to all.
+    forces: Vec<[f64; 3]>,
 }
 
 /// A copy exchanges on lanes of its own: all make one, or none does.
@@ -36,7 +38,7 @@ impl Clone for Shared {
     fn clone(&self) -> Self {
         let Self { peers, deal, whole, gone, .. } = self;
         let (peers, deal, whole) = (Arc::clone(peers), deal.clone(), whole.clone());
-        Self { peers, deal, whole, gone: *gone, lanes: None }
+        Self { peers, deal, whole, gone: *gone, lanes: None, forces: Vec::new() }
     }
 }
 
@@ -51,7 +53,8 @@ impl Share {
     pub fn new(peers: Box<dyn Peers>, whole: State, deal: impl FnOnce(usize, usize) -> Deal) -> Self {
         let deal = deal(peers.rank(), peers.count());
         let peers = Arc::new(Mutex::new(peers));
-        Self(Some(Box::new(Shared { peers, deal, whole, gone: [0.0; 2], lanes: None })))
+        let (gone, lanes, forces) = ([0.0; 2], None, Vec::new());
+        Self(Some(Box::new(Shared { peers, deal, whole, gone, lanes, forces })))
     }
 
     /// What there is of one of several.
@@ -152,6 +155,23 @@ impl Share {
     /// Brings numbers of particles that others move.
     pub fn bring_numbers(&mut self, numbers: &mut [f64]) {
         self.exchange(1, numbers, |known| known, |own, out| out[0] = *own, |own, found| *own = found[0]);
+    }
+
+    /// Brings the forces on all points of structures to all.
+    pub fn bring_forces(&mut self, on_points: &mut [[f64; 3]]) {
+        let Some(Shared { peers, deal, forces, .. }) = self.shared_mut() else { return };
+        if on_points.is_empty() {
+            return;
+        }
+        let (Dealt { order, cut }, mut peers) = (&deal.wet, locked(peers));
+        forces.resize(order.len(), [0.0; 3]);
+        for place in cut.own(peers.rank()) {
+            forces[place] = on_points[order[place] as usize];
+        }
+        peers.gather_to_all(cut, forces.as_flattened_mut(), 3);
+        for (&point, force) in order.iter().zip(forces) {
+            on_points[point as usize] = *force;
+        }
     }
 
     fn exchange<T>(

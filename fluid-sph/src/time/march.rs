@@ -36,7 +36,7 @@ impl Dynamics for Fluid {
 
     fn drift(&mut self, step: &Step) {
         let dt = step.drift();
-        self.deal_if_due(step.to.time, dt);
+        self.settle_for(step.to.time, dt);
         self.boundary.move_walls(step.to.time, dt);
         match self.formulation.scheme {
             Scheme::KickDriftKick => self.drift_once(dt),
@@ -111,6 +111,7 @@ impl Fluid {
         if self.fresh {
             return;
         }
+        self.settle();
         self.sort(0.0, 0.0);
         self.fill(0.0, 0.0, true);
         self.find_sides();
@@ -192,10 +193,7 @@ impl Fluid {
         if keeps {
             *fastest = square.sqrt();
         }
-        share.bring_vectors(&mut present.velocities, |known| known);
-        for (known, _) in share.moves().iter().enumerate().filter(|(_, moves)| !**moves) {
-            sorted.rows[sorted.slots[known] as usize].set_velocity(present.velocities[known].into());
-        }
+        self.bring_velocities();
     }
 
     /// Power that friction takes a unit of mass, of all, by the last forces \[L²/T³\].
