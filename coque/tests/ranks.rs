@@ -52,7 +52,7 @@ fn found(outcome: &Outcome) -> String {
 }
 
 /// The same of bonds that break and of fluids.
-const OTHERS: [(&str, Replaced<'static>); 4] = [
+const OTHERS: [(&str, Replaced<'static>); 6] = [
     (
         "crack-branching.toml",
         &[
@@ -68,6 +68,8 @@ const OTHERS: [(&str, Replaced<'static>); 4] = [
             ("analysis.explicit.transient.record_every", "5e-6"),
         ],
     ),
+    ("gate.toml", &[("analysis.explicit.transient.duration", "0.02")]),
+    ("gate-bonds.toml", &[("analysis.explicit.transient.duration", "0.02")]),
     ("dam-break.toml", &[("analysis.explicit.transient.duration", "0.2")]),
     (
         "bar-bonds-yielding.toml",

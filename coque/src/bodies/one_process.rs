@@ -12,7 +12,7 @@ pub enum NotShared {
 }
 
 /// Parts in the words of their models, and the keys of scenes that ask for them.
-const KEYS: [(&str, &str); 10] = [
+const KEYS: [(&str, &str); 9] = [
     ("a shell whose strains are not sampled in cells", "formulation"),
     ("a shell that may touch", "[[tools]], [[contact]]"),
     ("a shell that encloses a gas or a liquid", "loads[].gas, loads[].volume"),
@@ -20,7 +20,6 @@ const KEYS: [(&str, &str); 10] = [
     ("a solid whose fragments may touch", "contact"),
     ("a solid on which a function exerts forces", "Model::push"),
     ("a shell on which a function exerts forces", "Model::push"),
-    ("a fluid with structures in it", "a shell or a solid beside [bodies.NAME.fluid]"),
     ("a fluid marched by predictor and corrector", "formulation.weakly-compressible.method"),
     ("a fluid between walls of the published method", "formulation.weakly-compressible.walls"),
 ];
