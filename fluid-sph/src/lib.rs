@@ -73,7 +73,7 @@
 //! was dealt out, who brings the force on it to all: 24 bytes a point and step. What points resisted goes to the particles that each
 //! moves; he knows all that such a point sees. Their velocities come in once more then, and work and speed are added and compared.
 //! A structure is put into its next place within the drift, so that all can be dealt out anew before, where it was when forces were
-//! found (src/boundary/pending.rs).
+//! found (src/boundary/settling.rs).
 //!
 //! # What holds, and the test that says so
 //!

@@ -4,4 +4,5 @@ pub(crate) mod check;
 pub(crate) mod ledger;
 pub(crate) mod pending;
 pub(crate) mod points;
+mod settling;
 pub(crate) mod sides;
