@@ -1,4 +1,4 @@
-//! Processes that a launcher of MPI started together, as those who march one model of coque ([`peers::Peers`]); the command `coque-mpi` is
+//! Processes that a launcher of MPI started together, as those who march one model of coque (`Peers`); the command `coque-mpi` is
 //! `coque` for them.
 //!
 //! MPI moves the bytes, by the bindings of the crate `ferrompi`; nothing here knows a model. All of it is behind the feature `mpi`, which takes

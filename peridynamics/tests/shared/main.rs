@@ -22,7 +22,7 @@ use sph_core::Vec3;
 
 const DX: f64 = 0.1;
 /// Bodies that are tried.
-const BODIES: usize = 16;
+const BODIES: usize = 24;
 /// How many march each together: every third is marched by all of these, the others by the last three.
 const COUNTS: [usize; 5] = [1, 4, 2, 3, 7];
 
