@@ -85,7 +85,7 @@
 //! | a lattice under pressure hardly resists shear | src/lattice.rs |
 //! | laminar friction hardly depends on the direction of a lattice | src/momentum.rs |
 //! | the same bits for 1, 2 and 4 threads, and after a resume; no step allocates | tests/threads.rs |
-//! | the same bits for one to seven who march together: motion, works, records, gauges, refusals | tests/shared.rs |
+//! | the same bits for one to seven who march together: motion, works, records, gauges, refusals | tests/shared/ |
 //! | the same with structures: two clocks in both orders, structures that go far, states taken up | tests/coupled |
 //! | a flow turned or mirrored is the same | `quarters_and_mirrors` (tests/turned.rs) |
 //! | water at rest is hydrostatic and stays at rest | `in_a_plane`, `in_space` (tests/water.rs) |

@@ -2,98 +2,29 @@
 
 #![allow(clippy::unwrap_used)] // a test may stop where it stands
 
+#[path = "../common/mod.rs"]
 mod common;
+mod waters;
 
 use std::borrow::Cow;
 
-use common::{disorder, lattice, pool};
-use explicit_dynamics::{Amplitude, Bounds, Clock, Dynamics, Instant, Step};
-use fluid_sph::{
-    Fluid, FluidError, Formulation, Motion, Parts, Rotation, Scheme, Section, Start, Wall, WallRule,
-};
+use common::pool;
+use explicit_dynamics::{Bounds, Clock, Dynamics, Instant, Step};
+use fluid_sph::{Fluid, FluidError, Formulation, Parts, Scheme, Section, WallRule};
 use peers::{Peers, together};
 use sph_core::Vec3;
+use waters::{blocks, dam, streams, tank};
 
 /// Those who march together in these tests.
 const COUNTS: [usize; 5] = [1, 2, 3, 4, 7];
 
-/// A column that falls and runs along the bottom of a basin.
-fn dam(dimensions: usize, spacing: f64) -> Parts {
-    let (water, basin) =
-        if dimensions == 2 { ([0.5, 1.0, 0.0], [1.6, 1.0, 0.0]) } else { ([0.4, 0.3, 0.5], [0.9, 0.3, 0.5]) };
-    let mut parts = pool(dimensions, water, basin, spacing);
-    disorder(&mut parts, 0.2, 0.3);
-    // Faster over the sound than a fluid should be, so that particles come far in few steps.
-    parts.liquid.sound_speed *= 0.5;
-    parts
-}
-
-/// A tank that is pushed to and fro, and turned.
-fn tank(dimensions: usize, spacing: f64) -> Parts {
-    let size = if dimensions == 2 { [1.2, 0.4, 0.0] } else { [0.6, 0.3, 0.3] };
-    let mut parts = pool(dimensions, size, size.map(|x| 1.2 * x), spacing);
-    parts.walls[0].points.iter_mut().for_each(|point| *point -= Vec3::x() * 0.05);
-    parts.positions.iter_mut().for_each(|point| *point += Vec3::x() * 0.02);
-    parts.start = Start::Uniform;
-    let to_and_fro = Amplitude::Table(vec![[0.0, 0.0], [0.1, 1.0], [0.3, -1.0], [0.5, 1.0]]);
-    let rotation = Rotation {
-        centre: Vec3::new(0.5, 0.0, 0.1),
-        axis: if dimensions == 2 { Vec3::z() } else { Vec3::y() },
-        by: 0.2,
-        angle: to_and_fro.clone(),
-    };
-    parts.walls[0].motion =
-        Some(Motion { translation: Some((Vec3::x() * 0.2, to_and_fro)), rotation: Some(rotation) });
-    parts
-}
-
-/// Blocks that fly through each other's way, without walls; one particle far off, if so, and then ever farther.
-fn blocks(dimensions: usize, seed: usize, lost: bool) -> Parts {
-    let side = |k: usize| 0.2 + 0.1 * ((seed >> k) & 3) as f64;
-    let size =
-        if dimensions == 2 { [side(0), 2.0 * side(1), 0.0] } else { [side(0), side(1), 0.5 * side(2)] };
-    let mut parts = pool(dimensions, size, size, if dimensions == 2 { 0.02 } else { 0.05 });
-    parts.walls.clear();
-    parts.start = Start::Uniform;
-    let count = parts.positions.len();
-    let shift = Vec3::new(0.9, 0.13 * seed as f64, 0.0);
-    for i in 0..count {
-        let other = parts.positions[i] + shift;
-        parts.positions.push(other);
+/// A fluid of one of several, or alone.
+fn built(parts: Parts, peers: Option<Box<dyn Peers>>) -> Fluid {
+    let mut fluid = Fluid::new(parts).unwrap();
+    if let Some(peers) = peers {
+        fluid.share(peers).unwrap();
     }
-    disorder(&mut parts, 0.3, 0.5);
-    for (i, velocity) in parts.velocities.iter_mut().enumerate() {
-        *velocity += Vec3::x() * if i < count { 2.0 } else { -1.0 };
-    }
-    if lost {
-        parts.positions.push(Vec3::new(-3.0, 40.0, 0.0));
-        parts.velocities.push(Vec3::new(-5.0, 8.0, 0.0));
-    }
-    parts
-}
-
-/// Two streams past each other at so much of the speed of sound, so long that each who marches them knows a small part; between walls of
-/// which one runs along, if so.
-fn streams(dimensions: usize, part: f64, walls: bool) -> Parts {
-    let spacing = if dimensions == 2 { 0.02 } else { 0.05 };
-    let size = [4.0, 0.2, if dimensions == 2 { 0.0 } else { 0.1 }];
-    let mut parts = pool(dimensions, size, size, spacing);
-    parts.walls.clear();
-    parts.start = Start::Uniform;
-    parts.gravity = Vec3::zeros();
-    disorder(&mut parts, 0.1, 0.1);
-    let sound = parts.liquid.sound_speed;
-    for (position, velocity) in parts.positions.iter().zip(&mut parts.velocities) {
-        velocity.x += part * if position.y > 0.1 { sound } else { -sound };
-    }
-    if walls {
-        let rows = |y: f64| lattice([-1.0, y, -0.5 * spacing], [300, 3, 1], spacing);
-        let along = (Vec3::x(), Amplitude::Table(vec![[0.0, 0.0], [1.0, -0.2 * sound]]));
-        let motion = Some(Motion { translation: Some(along), rotation: None });
-        parts.walls.push(Wall { points: rows(-3.0 * spacing), motion });
-        parts.walls.push(Wall { points: rows(0.2), motion: None });
-    }
-    parts
+    fluid
 }
 
 fn marched(fluid: &mut Fluid, clock: &mut Clock, steps: usize) {
@@ -138,10 +69,7 @@ struct Found {
 
 /// A march of so many steps, by one of several or alone.
 fn march(parts: &Parts, steps: usize, peers: Option<Box<dyn Peers>>) -> Found {
-    let mut fluid = Fluid::new(parts.clone()).unwrap();
-    if let Some(peers) = peers {
-        fluid.share(peers).unwrap();
-    }
+    let mut fluid = built(parts.clone(), peers);
     let first = fluid.own_particles().collect();
     let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.1).unwrap();
     let mut found = Vec::new();
@@ -253,10 +181,7 @@ fn who_is_faster_than_sound_is_not_lost() {
     // None comes towards another, which would shorten the step.
     parts.velocities.iter_mut().for_each(|velocity| *velocity = Vec3::new(6.0, 0.5, 0.0) + *velocity * 0.01);
     let run = |peers: Option<Box<dyn Peers>>| {
-        let mut fluid = Fluid::new(parts.clone()).unwrap();
-        if let Some(peers) = peers {
-            fluid.share(peers).unwrap();
-        }
+        let mut fluid = built(parts.clone(), peers);
         let (mut now, mut last, mut farthest) = (Instant { time: 0.0, level: 1.0 }, 0.0, 0.0_f64);
         for _ in 0..40 {
             let dt = fluid.stable_step(1.0).unwrap().dt;
@@ -283,10 +208,7 @@ fn who_is_faster_than_sound_is_not_lost() {
 #[test]
 fn records_are_the_same_whoever_makes_them() {
     let run = |peers: Option<Box<dyn Peers>>| {
-        let mut fluid = Fluid::new(tank(2, 0.05)).unwrap();
-        if let Some(peers) = peers {
-            fluid.share(peers).unwrap();
-        }
+        let mut fluid = built(tank(2, 0.05), peers);
         format!("{:?}", common::recorded(&mut fluid, 0.2, 0.01))
     };
     let alone = run(None);
@@ -337,10 +259,7 @@ fn a_state_goes_on_with_any_number() {
 #[test]
 fn copies_march_on_their_own() {
     let run = |peers: Option<Box<dyn Peers>>| {
-        let mut fluid = Fluid::new(dam(2, 0.05)).unwrap();
-        if let Some(peers) = peers {
-            fluid.share(peers).unwrap();
-        }
+        let mut fluid = built(dam(2, 0.05), peers);
         let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
         marched(&mut fluid, &mut clock, 30);
         let (mut copy, mut copied) = (fluid.clone(), clock.clone());
@@ -361,10 +280,7 @@ fn all_refuse_a_state_beyond_the_model() {
     type State = Vec<(&'static str, Vec<f64>)>;
     let words = |change: &dyn Fn(&mut State), peers: Option<Box<dyn Peers>>| {
         let domain = Some([Vec3::from([-1.0; 3]), Vec3::from([3.0; 3])]);
-        let mut fluid = Fluid::new(Parts { domain, ..dam(2, 0.05) }).unwrap();
-        if let Some(peers) = peers {
-            fluid.share(peers).unwrap();
-        }
+        let mut fluid = built(Parts { domain, ..dam(2, 0.05) }, peers);
         let own = |(name, numbers): (&'static str, Cow<'_, [f64]>)| (name, numbers.into_owned());
         let mut state: Vec<_> = fluid.state().into_iter().map(own).collect();
         change(&mut state);
