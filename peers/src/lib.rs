@@ -13,6 +13,7 @@
 //! | who owns which particles | [`Cut`] | `cut.rs` |
 //! | whose rows go where | [`Lists`]; made by [`agree`] | `lists.rs`, `halo.rs` |
 //! | sums, maxima, rows between peers | [`Peers`]; [`Alone`], which costs nothing | `peers.rs` |
+//! | sums of chunks, products of vectors, the greatest of values, over all | methods of `dyn Peers` | `over_all.rs` |
 //! | threads as peers, for tests | [`together`] | `threads/` |
 //!
 //! # The same bits
@@ -73,6 +74,7 @@
 //! | a sum is the double nearest to the exact one, in any order and any split | `tests/exact.rs` |
 //! | carries are passed on before a digit overflows | `carries_are_passed_on_before_a_digit_overflows` |
 //! | sums, maxima and rows are the same on 1 to 7 peers | `tests/together.rs` |
+//! | what is recorded and what decides is that of one | `what_is_found_over_all_is_what_one_finds` |
 //! | who fails, panics or leaves ends all with one message; nobody hangs | `tests/endings.rs` |
 //! | a step of peers allocates nothing | `tests/allocations.rs` |
 //! | each ghost gets the row of its step, other rows stay | `lists_agreed_on_are_those_planned_and_lanes_carry_every_row` |
@@ -101,6 +103,7 @@ mod exact;
 mod greatest;
 mod halo;
 mod lists;
+mod over_all;
 mod peers;
 mod threads;
 

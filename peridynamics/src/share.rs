@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use parallel::{CHUNK, Lists};
-use peers::{Alone, Cut, Exact, Greatest, Lane, Peers, agree};
+use peers::{Alone, Cut, Exact, Lane, Peers, agree};
 
 /// Shares begin where chunks do.
 const _: () = assert!(peers::CHUNK == CHUNK);
@@ -32,6 +32,8 @@ type Ends<'a> = dyn Fn(usize, &mut Vec<u32>) + 'a;
 
 /// What the bonds of a solid need of other nodes.
 pub(crate) struct Reach<'a> {
+    /// Whether places of all nodes are needed, wherever bonds end.
+    pub everywhere: bool,
     pub ends: Box<Ends<'a>>,
     /// Whether chunks that need no ghost may be swept before the others.
     pub in_turn: bool,
@@ -62,6 +64,10 @@ impl Share {
         for first in own.clone().step_by(CHUNK) {
             let chunk = first..(first + CHUNK).min(own.end);
             ends.clear();
+            if reach.everywhere {
+                run = chunk.end;
+                continue;
+            }
             chunk.clone().for_each(|node| (reach.ends)(node, &mut ends));
             ends.retain(|&node| !own.contains(&(node as usize)));
             ends.sort_unstable();
@@ -72,6 +78,9 @@ impl Share {
                 inner = run..chunk.end;
             }
             needs.extend_from_slice(&ends);
+        }
+        if reach.everywhere {
+            needs.extend((0..nodes as u32).filter(|&node| !own.contains(&(node as usize))));
         }
         let lists = agree(&mut *peers, &cut, &needs);
         let several = peers.count() > 1;
@@ -210,38 +219,19 @@ impl Share {
         own.value()
     }
 
-    /// Adds numbers of chunks over all.
-    pub fn sum<const N: usize>(&self, mut numbers: impl Iterator<Item = [f64; N]>) -> [f64; N] {
-        // Of two numbers at most the plain sum is the nearest to the exact one; that of zeros is +0.
-        let [first, second, third] = [numbers.next(), numbers.next(), numbers.next()];
-        if !self.is_shared() && third.is_none() {
-            let [first, second] = [first, second].map(|own| own.unwrap_or([0.0; N]));
-            return std::array::from_fn(|k| 0.0 + first[k] + second[k]);
-        }
-        let numbers = [first, second, third].into_iter().flatten().chain(numbers);
-        let mut sums = [const { Exact::new() }; N];
-        for own in numbers {
-            sums.iter_mut().zip(own).for_each(|(sum, number)| sum.add(number));
-        }
-        self.peers().add(&mut sums, &mut []);
-        sums.map(|sum| sum.value())
+    /// Adds numbers of own chunks over all.
+    pub fn sum<const N: usize>(&self, numbers: impl Iterator<Item = [f64; N]>) -> [f64; N] {
+        self.peers().sum(numbers)
     }
 
     /// `a·b` of vectors of so many numbers a row, of all their parts.
     pub fn dot(&self, a: &[f64], b: &[f64], width: usize) -> f64 {
         let own = self.own.start * width..self.own.end * width;
-        let chunks = a[own.clone()].chunks(CHUNK * width).zip(b[own].chunks(CHUNK * width));
-        let product = |(a, b): (&[f64], &[f64])| [a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>()];
-        let [sum] = self.sum(chunks.map(product));
-        sum
+        self.peers().dot(&a[own.clone()], &b[own], width)
     }
 
     /// The greatest of values of all, each with its number.
     pub fn greatest(&self, own: impl Iterator<Item = (f64, usize)>) -> (f64, usize) {
-        let found =
-            own.fold(Greatest::NONE, |best, (value, number)| best.or(Greatest::of(value, number as u64)));
-        let mut found = [found];
-        self.peers().greatest(&mut found);
-        (found[0].value(), found[0].number() as usize)
+        self.peers().greatest_of(own)
     }
 }

@@ -13,7 +13,7 @@
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use peers::{Alone, Cut, Exact, Greatest, Lane, Lists, Partner, Peers, agree};
+use peers::{Alone, Cut, Lane, Lists, Partner, Peers, agree};
 
 use crate::packs::Row;
 
@@ -223,21 +223,9 @@ impl Share {
         }
     }
 
-    /// Adds numbers of chunks over all.
-    pub fn sum<const N: usize>(&self, mut numbers: impl Iterator<Item = [f64; N]>) -> [f64; N] {
-        // Of two numbers at most the plain sum is the nearest to the exact one; that of zeros is +0.
-        let [first, second, third] = [numbers.next(), numbers.next(), numbers.next()];
-        if !self.is_shared() && third.is_none() {
-            let [first, second] = [first, second].map(|own| own.unwrap_or([0.0; N]));
-            return std::array::from_fn(|k| 0.0 + first[k] + second[k]);
-        }
-        let numbers = [first, second, third].into_iter().flatten().chain(numbers);
-        let mut sums = [const { Exact::new() }; N];
-        for own in numbers {
-            sums.iter_mut().zip(own).for_each(|(sum, number)| sum.add(number));
-        }
-        self.carrier().peers.add(&mut sums, &mut []);
-        sums.map(|sum| sum.value())
+    /// Adds numbers of own chunks over all.
+    pub fn sum<const N: usize>(&self, numbers: impl Iterator<Item = [f64; N]>) -> [f64; N] {
+        self.carrier().peers.sum(numbers)
     }
 
     /// Adds energies of so many packs over all, each once.
@@ -250,20 +238,12 @@ impl Share {
     /// `a·b` of vectors of so many numbers a particle, of all their parts.
     pub fn dot(&self, a: &[f64], b: &[f64], width: usize) -> f64 {
         let own = self.own.start * width..self.own.end * width;
-        let chunks =
-            a[own.clone()].chunks(parallel::CHUNK * width).zip(b[own].chunks(parallel::CHUNK * width));
-        let product = |(a, b): (&[f64], &[f64])| [a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>()];
-        let [sum] = self.sum(chunks.map(product));
-        sum
+        self.carrier().peers.dot(&a[own.clone()], &b[own], width)
     }
 
     /// The greatest of values of all, each with its number.
     pub fn greatest(&self, own: impl Iterator<Item = (f64, usize)>) -> (f64, usize) {
-        let found =
-            own.fold(Greatest::NONE, |best, (value, number)| best.or(Greatest::of(value, number as u64)));
-        let mut found = [found];
-        self.carrier().peers.greatest(&mut found);
-        (found[0].value(), found[0].number() as usize)
+        self.carrier().peers.greatest_of(own)
     }
 }
 
