@@ -250,7 +250,7 @@ fn who_cannot_begin_ends_all() {
     let [out, other] = [out, other.join("plate.toml")].map(|path| path.to_string_lossy().into_owned());
     for (second, said) in [
         ("scenes/missing.toml", "rank 1: cannot read scenes/missing.toml"),
-        (&other, "the processes read different texts from "),
+        (&other, "the processes do not have the same scene"),
     ] {
         let mut command = program("mpirun");
         command.args(["-n", "1", path, "run", "scenes/plate.toml", "--out", &out]);
@@ -272,6 +272,45 @@ fn who_cannot_begin_ends_all() {
         1,
         "{all}"
     );
+}
+
+/// A scene that reads a mesh of its own folder, and another one in another folder.
+#[test]
+fn those_who_read_other_meshes_are_refused() {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/meshes");
+    let (out, path) = (folder("meshes-out"), env!("CARGO_BIN_EXE_coque-mpi"));
+    let folders = ["one", "two"].map(|name| folder(&format!("meshes-{name}")));
+    let mesh = fs::read_to_string(scenes.join("roof.msh")).unwrap();
+    let moved = mesh.replace("\n5 0 101.6 2540\n", "\n5 0 101.7 2540\n");
+    assert_ne!(mesh, moved);
+    for (folder, mesh) in folders.iter().zip([mesh, moved]) {
+        fs::create_dir_all(folder).unwrap();
+        fs::copy(scenes.join("roof.toml"), folder.join("roof.toml")).unwrap();
+        fs::write(folder.join("roof.msh"), mesh).unwrap();
+    }
+    fs::create_dir_all(&out).unwrap();
+    fs::write(out.join("curve.csv"), "what was found before").unwrap();
+    let mut command = program("mpirun");
+    for (number, folder) in folders.iter().enumerate() {
+        command.args(if number == 0 { &[][..] } else { &[":"] }).args(["-n", "1", path, "run"]);
+        command.arg(folder.join("roof.toml")).arg("--out").arg(&out);
+        command.args(["--set", "analysis={ explicit = { quasi-static = { levels = [0.1] } } }"]);
+    }
+    let (status, said) = ended(command.spawn().unwrap(), "other meshes");
+    assert_eq!(status.code(), Some(2), "{said}");
+    assert_eq!(said.matches("the processes do not have the same mesh").count(), 1, "{said}");
+    assert_eq!(fs::read_to_string(out.join("curve.csv")).unwrap(), "what was found before");
+}
+
+/// A launcher says three, and the library knows of none but this one.
+#[test]
+fn the_launcher_of_another_library_is_refused() {
+    let mut command = coque(0, &run(&folder("other-launcher"), &PLATE));
+    command.env("OMPI_COMM_WORLD_SIZE", "3").env("OMPI_COMM_WORLD_RANK", "0");
+    let (status, said) = ended(command.spawn().unwrap(), "another launcher");
+    assert_eq!(status.code(), Some(2), "{said}");
+    assert!(said.contains("the launcher started 3 processes (OMPI_COMM_WORLD_SIZE)"), "{said}");
+    assert!(said.contains("finds 1"), "{said}");
 }
 
 /// The first process cannot write its frames any more: all end, with the words of one process alone.

@@ -24,7 +24,7 @@ use crate::bodies::{Description, Model, Resultant, TangentCost};
 use crate::fields::{FieldSink, Frames};
 use crate::results::curve::Curve;
 use crate::run::Run;
-use crate::run::checkpoint::{Checkpoint, CheckpointError, Checkpoints};
+use crate::run::checkpoint::{Checkpoint, CheckpointError, Checkpoints, checksum};
 use crate::run::contact_watch::ContactWatch;
 use crate::run::impulses::Impulses;
 use crate::run::outcome::{Ended, Outcome};
@@ -89,6 +89,11 @@ impl Model {
             checkpoints,
             ranks: self.ranks.clone(),
         }
+    }
+
+    /// Checksum of where its particles are and how they are joined, and of the file that tells it.
+    pub(crate) fn checksum(&self) -> u32 {
+        checksum(self.body.body(), &self.identity)
     }
 
     /// Whether the states at its levels serve other lattices, on which the errors of its numbers are found.

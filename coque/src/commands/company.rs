@@ -1,12 +1,10 @@
 //! A command that a launcher of MPI started several times: the processes do it together, and the first of them speaks.
 
-use std::path::Path;
-
 use peers::Peers;
 
 use super::launcher::{Launched, launched};
 use super::stderr::{Refused, be_silent, speak};
-use crate::Ranks;
+use crate::{Model, Ranks};
 
 /// Processes that a launcher started together, this one among them.
 pub trait ProcessGroup {
@@ -68,15 +66,21 @@ impl<'a> Company<'a> {
         own.map_err(|refused| if failed == 0 { refused } else { refused.by(&format!("rank {failed}: ")) })
     }
 
-    /// Refuses a text that is not the same for all of them.
-    pub fn same(&self, text: &str, file: &Path) -> Result<(), Refused> {
+    /// Refuses what is not the same for all of them, by its checksum.
+    pub fn same(&self, checksum: u32, what: &str) -> Result<(), Refused> {
         match &self.ranks {
-            Some(ranks) if !ranks.same(crc32fast::hash(text.as_bytes())) => Err(Refused::from(format!(
-                "the processes read different texts from {}: give all of them the same file, in a folder that every machine sees\n",
-                file.display()
+            Some(ranks) if !ranks.same(checksum) => Err(Refused::from(format!(
+                "the processes do not have the same {what}: give all of them the same files and options, in a folder that every machine sees\n"
             ))),
             _ => Ok(()),
         }
+    }
+
+    /// Makes a model one that all of them run, if they have the same.
+    pub fn share(&self, model: &mut Model) -> Result<(), Refused> {
+        let Some(ranks) = &self.ranks else { return Ok(()) };
+        self.same(model.checksum(), "mesh")?;
+        model.share(ranks).map_err(|refused| Refused::from(format!("{refused}\n")))
     }
 
     /// What came out of a part that one process does while the others are in the run; a failure there ends all of them.

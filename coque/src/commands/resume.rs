@@ -35,7 +35,9 @@ Exit codes: as `coque run`; 2 also for a checkpoint that is damaged, of another 
 
 /// Reads the checkpoint, builds its scene again and goes on.
 pub fn carry_out(resume: &Resume, stop: &Arc<Stop>, company: &Company) -> Result<u8, Refused> {
-    let (model, taken, origin, checkpoint) = company.all(prepare(resume, company))?;
+    let (mut model, taken, origin, checkpoint) = company.all(prepare(resume, company))?;
+    company.same(checkpoint.checksum(), "checkpoint")?;
+    company.share(&mut model)?;
     stop.begin();
     launch(model, taken.as_ref(), origin, Some(checkpoint), stop, company).map(|(code, _)| code)
 }

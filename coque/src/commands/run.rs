@@ -117,8 +117,10 @@ pub fn carry_out(run: &Run, stop: &Arc<Stop>, company: &Company) -> Result<u8, R
             let folder = company.is_first().then(|| take(&out)).transpose()?;
             Ok((model, folder, text, replaced))
         });
-        let (model, folder, text, replaced) = company.all(prepared)?;
-        company.same(&text, &run.scene)?;
+        let (mut model, folder, text, replaced) = company.all(prepared)?;
+        let scene = format!("{text}{replaced:?}");
+        company.same(crc32fast::hash(scene.as_bytes()), "scene")?;
+        company.share(&mut model)?;
         stop.begin();
         let measured = model.measured();
         let (code, outcome) = begin(run, model, folder.as_ref(), (text, replaced), stop, company)?;
@@ -214,16 +216,13 @@ pub fn build(scene: &Checked, threads: usize) -> Result<Model, Refused> {
 /// Runs from the start or from a checkpoint, writes the results, and gives the exit code with what was found. Those who run it together
 /// write nothing but the first.
 pub fn launch(
-    mut model: Model,
+    model: Model,
     folder: Option<&ResultFolder>,
     origin: Origin,
     from: Option<Checkpoint>,
     stop: &Arc<Stop>,
     company: &Company<'_>,
 ) -> Result<(u8, Outcome), Refused> {
-    if let Some(ranks) = company.ranks() {
-        model.share(ranks).map_err(|refused| format!("{refused}\n"))?;
-    }
     let Some(folder) = folder else { return follow(model, from, stop) };
     let out = folder.path();
     let described = model.describe();

@@ -127,6 +127,12 @@ impl Checkpoint {
         Ok((Self { origin, kept, grown }, text))
     }
 
+    /// Checksum of where it stands, for those who go on from copies of it.
+    pub(crate) fn checksum(&self) -> u32 {
+        let bytes = postcard::to_stdvec(&(&self.kept.state, &self.kept.stage));
+        bytes.map_or(0, |bytes| crc32fast::hash(&bytes))
+    }
+
     /// Frames of fields written up to here.
     pub fn frames(&self) -> u64 {
         self.kept.record.frames
