@@ -11,8 +11,9 @@ use common::{Replaced, scene};
 use coque::{Ended, Outcome, Progress, ProgressReport, Ranks, RunOptions, Silent};
 use peers::together;
 
-/// Scenes of several chunks that take a second or two, one for each way to march and one that relaxes.
-const SHELLS: [(&str, Replaced<'static>); 4] = [
+/// Scenes of several chunks that take a second or two, one for each way to march and one that relaxes, and of what everyone evaluates for all of
+/// the shell: tools, a shell that touches itself, a gas.
+const SHELLS: [(&str, Replaced<'static>); 7] = [
     (
         "panel.toml",
         &[
@@ -41,6 +42,31 @@ const SHELLS: [(&str, Replaced<'static>); 4] = [
             ("analysis", "{ relaxation = { levels = [0.03, 0.06] } }"),
         ],
     ),
+    (
+        "tube-crushed.toml",
+        &[
+            ("geometry.cylinder.particles", "[201, 5]"),
+            ("tools.0.friction", "0.2"),
+            ("curve.4.name", "taken"),
+            ("tools.0.moved", "[0.0, 0.0, -2.0]"),
+            ("tools.0.amplitude", "{ ramp = 5e-5 }"),
+            ("analysis", "{ explicit = { transient = { duration = 5e-5, record_every = 1e-5 } } }"),
+        ],
+    ),
+    (
+        "ring-in-itself.toml",
+        &[
+            ("geometry.cylinder.particles", "[241, 5]"),
+            ("analysis", "{ relaxation = { levels = [0.1, 0.31] } }"),
+        ],
+    ),
+    (
+        "plate-on-gas.toml",
+        &[
+            ("geometry.plate.particles", "[31, 31]"),
+            ("analysis", "{ explicit = { transient = { duration = 0.05, record_every = 0.01 } } }"),
+        ],
+    ),
 ];
 
 /// What a run found, wall times apart.
@@ -65,6 +91,7 @@ const OTHERS: [(&str, Replaced<'static>); 6] = [
         "crack-branching.toml",
         &[
             ("bodies.glass.solid.geometry.block.spacing", "1e-3"),
+            ("bodies.glass.solid.contact", "{}"),
             ("analysis.explicit.transient.record_every", "5e-6"),
         ],
     ),
@@ -124,6 +151,28 @@ fn who_is_asked_to_end_ends_all() {
             outcome.summary.record.steps
         });
         assert_eq!(all.unwrap(), [21; 3], "asked of {asked}");
+    }
+}
+
+/// The program without MPI, started three times by a launcher: once it says why it does nothing.
+#[test]
+fn a_launcher_of_several_is_refused_by_the_program_without_mpi() {
+    for (rank, words) in [("0", 1), ("2", 0)] {
+        for (size, number) in
+            [("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"), ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID")]
+        {
+            let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_coque"));
+            let run =
+                command.args(["run", "no-scene.toml"]).env(size, "3").env(number, rank).output().unwrap();
+            let said = String::from_utf8_lossy(&run.stderr);
+            assert_eq!(run.status.code(), Some(2), "{said}");
+            assert_eq!(
+                said.matches(&format!("a launcher started 3 processes ({size})")).count(),
+                words,
+                "{said}"
+            );
+            assert!(!said.contains("no-scene"), "{said}");
+        }
     }
 }
 

@@ -15,8 +15,7 @@ impl Solid {
     /// it or sums over it, in the same order. Its statics are not shared.
     ///
     /// # Errors
-    /// [`SolidError::NotShared`], and the solid stays as it was: plates of two sheets, fragments that may touch, solids in a fluid,
-    /// forces by a function or from other bodies.
+    /// [`SolidError::NotShared`], and the solid stays as it was: plates of two sheets, solids in a fluid, forces by a function or from other bodies.
     pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), SolidError> {
         let refusals = [
             (self.wetted.is_some(), "a solid in a fluid"),

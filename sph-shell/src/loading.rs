@@ -241,10 +241,9 @@ impl Loading {
         let on_share = on_share.as_deref();
         let own = OnShare::clear(on_share, external);
         for (number, applied) in loads.iter().enumerate() {
-            match (applied.load.enclosed(), part, on_share) {
-                (Some(enclosed), Part::Rate { .. }, _) => enclosed.add_rate(scale(applied), &body, external),
-                (_, _, Some(on_share)) => on_share.add(number, scale(applied), &body, external),
-                (_, _, None) => applied.load.add(scale(applied), &body, external),
+            match (applied.load.enclosed(), part) {
+                (Some(enclosed), Part::Rate { .. }) => enclosed.add_rate(scale(applied), &body, external),
+                _ => OnShare::add(on_share, (number, applied), scale(applied), &body, external),
             }
         }
         if let Some(surface) = wetted {

@@ -16,18 +16,16 @@ use crate::time::share::Share;
 impl Shell {
     /// Marches it with others, each of whom has built the same shell: this one moves its share of the particles. All that a march returns is that of
     /// the whole, with the bits of one who marches it alone; what is read of particles is right after [`Shell::bring`]. All of them do the same to it
-    /// in the same order, [`Shell::set_state`] and [`Shell::take_up`] too.
+    /// in the same order, [`Shell::set_state`] and [`Shell::take_up`] too. Contact, volumes, and loads that do not say what they add to a range of
+    /// particles ([`crate::Load::on_share`]) are evaluated by everyone for the whole shell, whose places are then brought to all in each step.
     ///
     /// # Errors
-    /// [`ShellError::NotShared`]: strains that are not sampled in cells, tools, contact, fluids, what is enclosed, loads that do not say what they add
-    /// to a range of particles ([`crate::Load::on_share`]).
+    /// [`ShellError::NotShared`]: strains that are not sampled in cells, fluids.
     pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), ShellError> {
         let Self { reference, points, dependents, loading, evaluation, .. } = self;
         let refusals = [
             (evaluation.plan.is_none(), "a shell whose strains are not sampled in cells"),
-            (!loading.tools.is_empty() || loading.own_contact.is_some(), "a shell that may touch"),
             (loading.wetted.is_some(), "a shell in a fluid"),
-            (loading.enclosed(1.0).next().is_some(), "a shell that encloses a gas or a liquid"),
         ];
         if let Some((_, what)) = refusals.iter().find(|(refused, _)| *refused) {
             return Err(ShellError::NotShared(what));
@@ -40,11 +38,8 @@ impl Shell {
         }
         let cut = Cut::even(particles, peers.count());
         let own = cut.own(peers.rank());
-        let Some((on_share, reads)) = OnShare::new(&loading.loads, &loading.springs, own, reference) else {
-            return Err(ShellError::NotShared(
-                "a shell with a load that does not say what it adds to a range of particles",
-            ));
-        };
+        let touches = loading.touches();
+        let (on_share, reads) = OnShare::new(&loading.loads, &loading.springs, touches, own, reference);
         let share = Share::new(peers, cut, &packs, [reads, dependents.bound()]);
         let ranges = [share.own(), share.interior()];
         evaluation.plan = Some(Fused::plan(&points.packs, &places, ranges, evaluation.threads));

@@ -12,12 +12,9 @@ pub enum NotShared {
 }
 
 /// Parts in the words of their models, and the keys of scenes that ask for them.
-const KEYS: [(&str, &str); 9] = [
+const KEYS: [(&str, &str); 6] = [
     ("a shell whose strains are not sampled in cells", "formulation"),
-    ("a shell that may touch", "[[tools]], [[contact]]"),
-    ("a shell that encloses a gas or a liquid", "loads[].gas, loads[].volume"),
     ("a plate of two sheets", "formulation.two-sheets"),
-    ("a solid whose fragments may touch", "contact"),
     ("a solid on which a function exerts forces", "Model::push"),
     ("a shell on which a function exerts forces", "Model::push"),
     ("a fluid marched by predictor and corrector", "formulation.weakly-compressible.method"),

@@ -13,6 +13,8 @@
 //! other than d at most six in a plane and twelve in space touch one, and pull along an axis with three and four times k;
 //! so contact adds at most 2·3 or 2·4 times `k/M`, and a wall `4k/M` at most.
 
+use std::ops::Range;
+
 use parallel::{ByChunk, CHUNK};
 use sph_core::{CellList, Vec3};
 
@@ -37,7 +39,7 @@ pub(crate) struct Repulsion {
     volumes: Vec<f64>,
     /// Bound of what contact adds to eigenvalues of the mass-scaled stiffness \[1/T²\].
     spectrum: f64,
-    /// Nodes near each other that never had a bond: the first of each node, and the end; ascending.
+    /// Nodes near each other that never had a bond: the first of each own node, and the end; ascending.
     starts: Vec<u32>,
     near: Vec<u32>,
     /// Where the nodes were when they were listed \[L\]; empty before.
@@ -125,23 +127,28 @@ impl Repulsion {
         0.5 * self.stiffness * (self.volumes[a] * self.volumes[b]) * depth * depth
     }
 
-    /// Adds `∂U/∂x` of contact to the forces; returns its energy \[F L\].
-    pub fn add(&mut self, body: &Touching<'_>, forces: &mut [Row]) -> f64 {
-        self.list(body);
+    /// Adds `∂U/∂x` of contact to the forces of own nodes; returns the energy of all if it is wanted \[F L\]. Places of all nodes are here.
+    pub fn add(&mut self, body: &Touching<'_>, forces: &mut [Row], wanted: bool) -> f64 {
+        let Touching { share, .. } = body;
+        let (own, chunks) = (share.own(self.volumes.len()), share.chunks_of(self.volumes.len()));
+        self.list(body, own.clone());
         let mut energies = std::mem::take(&mut self.energies);
         let one = |first: usize, (forces, ByChunk(energy)): (&mut [Row], ByChunk<'_, f64>)| {
-            let of = |(i, force): (usize, &mut Row)| self.on_node(first + i, body, force);
+            let of = |(i, force): (usize, &mut Row)| self.on_node(first + i, own.start, body, force);
             let sum: f64 = forces.iter_mut().enumerate().map(of).sum();
             energy.iter_mut().for_each(|energy| *energy = sum);
         };
-        let nodes = &mut forces[..self.volumes.len()];
-        parallel::chunks(body.share.threads(), (nodes, ByChunk(&mut energies)), one);
+        share.sweep(own.start, (&mut forces[own.clone()], ByChunk(&mut energies[chunks.clone()])), one);
         self.energies = energies;
-        self.energies.iter().sum()
+        if !wanted {
+            return 0.0;
+        }
+        let [energy] = share.sum(self.energies[chunks].iter().map(|energy| [*energy]));
+        energy
     }
 
-    /// Adds the force on one node; returns its half of the energy.
-    fn on_node(&self, node: usize, body: &Touching<'_>, force: &mut Row) -> f64 {
+    /// Adds the force on one node, of those listed from the first; returns its half of the energy.
+    fn on_node(&self, node: usize, listed: usize, body: &Touching<'_>, force: &mut Row) -> f64 {
         let Touching { network, bonds, rows, .. } = body;
         let mut energy = 0.0;
         let x = place(&rows[node]);
@@ -162,7 +169,8 @@ impl Repulsion {
             let bond = network.bond(lane);
             repel(bond.other, self.distance.min(bond.length));
         }
-        for &other in &self.near[self.starts[node] as usize..self.starts[node + 1] as usize] {
+        let [start, end] = [0, 1].map(|next| self.starts[node - listed + next] as usize);
+        for &other in &self.near[start..end] {
             repel(other as usize, self.distance);
         }
         for [on, normal] in &self.walls {
@@ -176,8 +184,8 @@ impl Repulsion {
         energy
     }
 
-    /// Lists the pairs near each other, once a node has moved by half of the skin.
-    fn list(&mut self, body: &Touching<'_>) {
+    /// Lists the pairs near each other of own nodes, once any node has moved by half of the skin.
+    fn list(&mut self, body: &Touching<'_>, own: Range<usize>) {
         let skin = SKIN * self.distance;
         let count = self.volumes.len();
         let moved = |(old, row): (&Vec3, &Row)| (place(row) - old).norm_squared() > 0.25 * skin * skin;
@@ -190,7 +198,7 @@ impl Repulsion {
         let cells = CellList::new(&self.listed, reach);
         (self.starts, self.near) = (vec![0], Vec::new());
         let mut around = Vec::new();
-        for node in 0..count {
+        for node in own {
             cells.within(&self.listed[node], reach, &mut around);
             let bonded = |other: u32| {
                 body.network

@@ -136,7 +136,7 @@ impl Mechanics for SolidBonds {
         }
         if let Some(contact) = &mut self.contact {
             let body = Touching { network: &self.network, bonds: &breaking.bonds, rows, share };
-            stored += contact.add(&body, forces);
+            stored += contact.add(&body, forces, energy);
         }
         stored
     }
@@ -266,11 +266,9 @@ impl Mechanics for SolidBonds {
     }
 
     fn reach(&self) -> Result<Reach<'_>, &'static str> {
-        if self.contact.is_some() {
-            return Err("a solid whose fragments may touch");
-        }
         let network = &self.network;
         Ok(Reach {
+            everywhere: self.contact.is_some(),
             ends: Box::new(|node, ends| network.ends(node, ends)),
             in_turn: network.images.is_none(),
             found: network.found(),

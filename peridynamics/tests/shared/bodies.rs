@@ -3,8 +3,8 @@
 use explicit_dynamics::Amplitude;
 use peers::Peers;
 use peridynamics::{
-    AppliedLoad, Correction, Crack, Criterion, Elastic, Formulation, Fracture, Law, Mirror, Parts, Plastic,
-    Solid, Space, Support, Supported, Volumes,
+    AppliedLoad, Contact, Correction, Crack, Criterion, Elastic, Formulation, Fracture, Law, Mirror, Parts,
+    Plastic, Solid, Space, Support, Supported, Volumes,
 };
 use sph_core::Vec3;
 
@@ -93,12 +93,16 @@ pub fn body(number: usize, random: &mut Random) -> Body {
     let supported = below(random, 4) > 0;
     let loaded = below(random, 3) > 0;
     let notched = below(random, 2) == 0;
+    let touches = criterion.is_some() && below(random, 2) == 0;
     // A plane before the nodes, or through the last of them.
     let mirrors = match below(random, 4) {
         0 => vec![Mirror { axis: 1, at: 0.0 }],
         1 if !yields => vec![Mirror { axis: 1, at: far - 0.5 * DX }],
         _ => Vec::new(),
     };
+    // A floor under the nodes, and their neighbours, which they touch as bonds break.
+    let floor = [Vec3::new(0.0, -0.3 * DX, 0.0), Vec3::y()];
+    let contact = (touches && mirrors.is_empty()).then(|| Contact { distance: 0.95, walls: vec![floor] });
     let material = Elastic { young: 100.0, poisson: poisson(space, law), density: 1.0 };
     let parts = Parts {
         plastic: yields.then_some(Plastic { yield_stress: 0.2, hardening: 1.0 }),
@@ -106,6 +110,7 @@ pub fn body(number: usize, random: &mut Random) -> Body {
         cracks: if notched { vec![notch] } else { Vec::new() },
         supports: if supported { supports } else { Vec::new() },
         loads: if loaded { loads } else { Vec::new() },
+        contact,
         threads: 1 + number % 2,
         ..parts(block, material, formulation)
     };

@@ -14,9 +14,7 @@ use explicit_dynamics::{
 };
 use lattices::{Random, formulation, lattice, parts, poisson};
 use peers::{CHUNK, Peers, together};
-use peridynamics::{
-    Contact, Elastic, Idealisation, Law, Parts, Sheets, Solid, SolidError, Space, Support, Supported,
-};
+use peridynamics::{Elastic, Idealisation, Law, Parts, Sheets, Solid, SolidError, Space, Support, Supported};
 use reported::{differing, read, reported};
 use sph_core::Vec3;
 
@@ -212,10 +210,6 @@ fn what_is_not_shared_is_refused() {
         });
         all.unwrap()[0]
     };
-    let touching = || {
-        let contact = Some(Contact { distance: 0.9, walls: Vec::new() });
-        Solid::new(Parts { contact, ..plate() }).unwrap()
-    };
     let sheets = || {
         let Idealisation::Bonds(formulation) = plate().formulation else { unreachable!() };
         let formulation = Idealisation::Sheets(Sheets { thickness: DX, formulation });
@@ -232,7 +226,7 @@ fn what_is_not_shared_is_refused() {
         solid.push(exert);
         solid
     };
-    let said = [refused(&touching), refused(&sheets), refused(&wet), refused(&pushed)];
+    let said = [refused(&sheets), refused(&wet), refused(&pushed)];
     println!("{said:?}");
     assert!(said.iter().all(|what| what.starts_with("a ")), "{said:?}");
     assert_eq!(refused(&|| Solid::new(plate()).unwrap()), "not refused");

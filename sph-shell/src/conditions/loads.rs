@@ -37,7 +37,7 @@ pub trait Load: Send + Sync {
     fn check(&self, reference: &Reference) -> Result<(), ShellError>;
 
     /// What the load adds to the particles of a range, for one of several who march the shell. A load says it of every range or of none, and
-    /// then one process marches it alone.
+    /// then everyone adds all of it.
     fn on_share(&self, _own: &Range<usize>, _reference: &Reference) -> Option<LoadOnShare> {
         None
     }

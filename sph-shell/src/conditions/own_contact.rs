@@ -91,6 +91,11 @@ impl SelfContact {
         self.rests
     }
 
+    /// Whether nothing can come near in the step to come.
+    pub fn waits(&self) -> bool {
+        self.pace.waits() > 0.0
+    }
+
     /// Finds what touches in a state, unless that is known.
     fn look(&mut self, state: &[Row]) {
         if self.looked || self.rests {

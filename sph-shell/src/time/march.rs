@@ -191,8 +191,12 @@ impl Dynamics for Shell {
     }
 
     fn shortened(&mut self, stable: f64, safety: f64) -> f64 {
-        let Self { reference, dependents, loading, motion, .. } = self;
+        let Self { reference, dependents, loading, motion, share, .. } = self;
         let Some(own) = &mut loading.own_contact else { return stable };
+        if !own.waits() {
+            share.arrive(&mut motion.state);
+            share.bring(&mut motion.rates);
+        }
         let [masses, _] = dependents.ties.moving_masses(reference);
         own.shortened(stable, safety, [&motion.state, &motion.rates], masses)
     }

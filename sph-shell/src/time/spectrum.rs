@@ -32,6 +32,7 @@ impl LinearisedDynamics for Shell {
             return;
         }
         let eps = PERTURBATION / greatest;
+        self.share.exchange(&mut self.motion.state);
         // The step has to bear unloading, which is the stiffest answer of a section with memory.
         self.points.hold_histories(true);
         let home = self.motion.state.clone();

@@ -12,6 +12,7 @@ mod history;
 mod march;
 mod shared;
 mod shared_bodies;
+mod shared_touching;
 mod strong_form;
 mod strong_form_difference;
 mod turned;

@@ -1,13 +1,12 @@
 //! A shell that several march together: whole marches to the same bits, what is read of it, and what one marches alone.
 
-use crate::common::{self, Sheets, flat, parts, records, shell, supported};
+use crate::common::{self, flat, parts, records, shell, supported};
 use explicit_dynamics::{Amplitude, Bounds, Damping, Dynamics, Instant, Plan, QuasiStatic, Step, Transient};
 use peers::{Peers, together};
 use shell_kinematics::StretchCorrected;
 use sph_core::{Side, Vec3};
 use sph_shell::{
-    Block, Body, Clamped, Content, Enclosed, Formulation, Gravity, Load, Moved, Pressure, Reach, Reference,
-    Shell, ShellError, SymmetryPlane,
+    Clamped, Formulation, Gravity, Load, Moved, Pressure, Reach, Shell, ShellError, SymmetryPlane,
 };
 
 const CELLS: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -50,7 +49,12 @@ pub fn plans() -> [Plan; 2] {
 
 /// Everything that a march tells, as words; and what is read of the shell at its end.
 pub fn reported(plan: &Plan, mut shell: Shell) -> (Vec<String>, Vec<u64>) {
-    let records = records(plan.clone(), &mut shell).unwrap();
+    marched(plan, &mut shell)
+}
+
+/// The same of a shell that is read further.
+pub fn marched(plan: &Plan, shell: &mut Shell) -> (Vec<String>, Vec<u64>) {
+    let records = records(plan.clone(), shell).unwrap();
     shell.bring();
     let motion = shell.motion().into_iter().flatten().flatten().map(|x| x.to_bits());
     let borne = |a| [shell.reaction(a), shell.reaction_moment(a)];
@@ -106,19 +110,6 @@ fn all_refuse_a_state_beyond_the_model() {
     }
 }
 
-/// A load that says nothing of shares.
-struct Unsaid;
-
-impl Load for Unsaid {
-    fn add(&self, _: f64, _: &Body<'_>, _: &mut [[f64; 6]]) {}
-
-    fn stiffness(&self, _: f64, _: &Body<'_>, _: &mut dyn FnMut(u32, u32, &Block)) {}
-
-    fn check(&self, _: &Reference) -> Result<(), ShellError> {
-        Ok(())
-    }
-}
-
 /// What one marches alone says so.
 #[test]
 fn what_is_not_shared_is_refused() {
@@ -131,16 +122,9 @@ fn what_is_not_shared_is_refused() {
     };
     let plate = || flat([5, 5], [1.0, 1.0]);
     let wide = || Shell::builder(parts(plate(), common::energy_formulations()[1].1, 0.1)).build().unwrap();
-    let own = || shell(plate(), CELLS, 0.1, &StretchCorrected, Vec::new(), vec![Box::new(Unsaid)]);
-    let gas = || {
-        let cloud = Sheets::boxed(Vec3::new(1.0, 1.0, 1.0), [2, 2, 2]).welded();
-        let content = Content::Gas { pressure: 1.0, ambient: 1.0, exponent: 1.0 };
-        let load: Box<dyn Load> = Box::new(Enclosed::new((0..24).collect(), content, 0.0));
-        shell(cloud, CELLS, 0.1, &StretchCorrected, Vec::new(), vec![load])
-    };
-    let said = [refused(&wide), refused(&own), refused(&gas)];
+    let said = refused(&wide);
     println!("{said:?}");
-    assert!(said.iter().all(|what| what.starts_with("a shell ")), "{said:?}");
+    assert!(said.starts_with("a shell "), "{said:?}");
     let symmetry = || {
         let cloud = plate();
         let held = cloud.sides.as_ref().unwrap().edge(Side::U0).to_vec();
