@@ -77,16 +77,16 @@ fn coque(processes: usize, arguments: &[String]) -> Command {
     command
 }
 
-/// How it ended and what it said; it has half a minute.
+/// How it ended and what it said; it has three minutes, on however loaded a machine.
 fn ended(mut child: Child, what: &str) -> (ExitStatus, String) {
     let begun = Instant::now();
     let status = loop {
         if let Some(status) = child.try_wait().unwrap() {
             break status;
         }
-        if begun.elapsed() > Duration::from_secs(30) {
+        if begun.elapsed() > Duration::from_secs(180) {
             let _ = child.kill();
-            panic!("{what}: still there after half a minute");
+            panic!("{what}: still there after three minutes");
         }
         sleep(Duration::from_millis(5));
     };
@@ -103,14 +103,14 @@ fn done(processes: usize, arguments: &[String]) {
 
 /// Waits until a run under way has written a checkpoint.
 fn begun(run: &mut Child, out: &Path) {
-    for _ in 0..3000 {
+    for _ in 0..18_000 {
         if out.join("checkpoint.bin").exists() {
             return;
         }
         assert!(run.try_wait().unwrap().is_none(), "the run ended without a checkpoint");
         sleep(Duration::from_millis(10));
     }
-    panic!("no checkpoint within half a minute");
+    panic!("no checkpoint within three minutes");
 }
 
 /// Files under a folder with their bytes, but for those that hold wall times.
@@ -321,7 +321,7 @@ fn frames_that_cannot_be_written_end_all() {
         let fields = out.join("fields");
         let arguments = run(&out, &[LONG[0], LONG[1], "output.fields={ stresses = true }"]);
         let mut child = coque(processes, &arguments).spawn().unwrap();
-        for _ in 0..3000 {
+        for _ in 0..18_000 {
             if fields.join("shell-0003.vtu").exists() {
                 break;
             }

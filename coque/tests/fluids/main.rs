@@ -1,0 +1,12 @@
+//! Fluids of scenes and the structures in them.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod basins;
+mod contact_in_fluid;
+mod fluid;
+mod fluid_scenes;
+mod unseen_contact;

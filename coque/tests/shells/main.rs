@@ -1,0 +1,35 @@
+//! Shells of scenes, in every analysis.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../../../mesh-io/tests/common/mod.rs"]
+mod meshes;
+#[path = "../common/refused.rs"]
+mod refused;
+#[path = "../common/strip.rs"]
+mod strip;
+
+mod branches;
+mod buckling;
+mod conjugate_gradients;
+mod enclosed;
+mod imperfection;
+mod initial_stress;
+mod layered;
+mod linear;
+mod mesh_panel;
+mod mesh_scenes;
+mod moved_buckling;
+mod parts;
+mod plies;
+mod preload;
+mod rigid;
+mod scattered;
+mod sections;
+mod stability;
+mod statics;
+mod turned_sprung;
+mod warnings;
+mod warped;

@@ -1,0 +1,12 @@
+//! Solids of scenes.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod galerkin;
+mod galerkin_faces;
+mod galerkin_support;
+mod solid;
+mod solid_warnings;
