@@ -7,7 +7,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{SceneError, Verdict};
-use super::source::Source;
+use super::source::{BODIES, Source};
 
 /// Lists of tables whose `on` may be a list of names.
 const LISTS: [&str; 3] = ["supports", "loads", "curve"];
@@ -17,14 +17,16 @@ const LISTS: [&str; 3] = ["supports", "loads", "curve"];
 /// # Errors
 /// [`SceneError::Type`] for a list that has no names or others than texts, [`SceneError::Set`] where the name of the union is taken.
 pub(super) fn unite(document: &mut DeTable<'_>, source: &mut Source) -> Verdict {
+    let lone = lone(document);
+    let lone = lone.as_deref();
     let mut found = Vec::new();
     for list in LISTS {
         let Some(DeValue::Array(items)) = document.get_mut(list).map(Spanned::get_mut) else { continue };
         for (i, item) in items.iter_mut().enumerate() {
             let DeValue::Table(item) = item.get_mut() else { continue };
-            found.extend(named(item, "on", &format!("{list}[{i}].on"), source)?);
+            found.extend(named(item, "on", &format!("{list}[{i}].on"), lone, source)?);
             if let Some(DeValue::Table(spring)) = item.get_mut("spring").map(Spanned::get_mut) {
-                found.extend(named(spring, "to", &format!("{list}[{i}].spring.to"), source)?);
+                found.extend(named(spring, "to", &format!("{list}[{i}].spring.to"), lone, source)?);
             }
         }
     }
@@ -54,6 +56,13 @@ pub(super) fn unite(document: &mut DeTable<'_>, source: &mut Source) -> Verdict 
     Ok(())
 }
 
+/// The one body of a document, whose sets may be named with it or without.
+fn lone(document: &DeTable<'_>) -> Option<String> {
+    let DeValue::Table(bodies) = document.get(BODIES)?.get_ref() else { return None };
+    let mut names = bodies.keys().map(|name| name.get_ref().to_string());
+    names.next().filter(|_| names.next().is_none())
+}
+
 /// A list of sets.
 struct List<'i> {
     /// What their union is called.
@@ -68,6 +77,7 @@ fn named<'i>(
     table: &mut DeTable<'i>,
     key: &str,
     path: &str,
+    lone: Option<&str>,
     source: &Source,
 ) -> Result<Option<List<'i>>, SceneError> {
     let Some(given) = table.get_mut(key) else { return Ok(None) };
@@ -85,7 +95,10 @@ fn named<'i>(
         };
         words.push(word.to_string());
     }
-    let name = words.join(", ");
+    let own =
+        |word: &String| lone.and_then(|body| word.strip_prefix(body)?.strip_prefix('.').map(str::to_string));
+    let short: Vec<String> = words.iter().map(|word| own(word).unwrap_or_else(|| word.clone())).collect();
+    let name = short.join(", ");
     let list = std::mem::replace(given.get_mut(), DeValue::String(Cow::Owned(name.clone())));
     // One name alone is that set.
     let several = words.len() > 1;
