@@ -27,9 +27,15 @@ pub(super) struct KeptSet {
 /// The sets of the one body that hold numbers of cells, from its places at rest and its sets by name; none where it has no rows.
 pub(super) fn kept(scene: &Checked, rest: &[Vec3], sets: &BTreeMap<String, Vec<u32>>) -> Vec<KeptSet> {
     let Some(rows) = Rows::of(scene, rest) else { return Vec::new() };
+    let Ok(body) = scene.first_body() else { return Vec::new() };
     let (acting, reading) = named(scene);
-    let is_named = |name: &String| acting.contains(name) || reading.contains(name);
+    let [acting, reading] =
+        [&acting, &reading].map(|names| body.with_operands(names.iter().map(String::as_str)));
+    let is_named = |name: &str| acting.contains(name) || reading.contains(name);
+    // What is made of sets stays where these stay.
+    let is_made = |name: &str| scene.sets.get(name).is_some_and(|region| region.made().is_some());
     let wanted = sets.iter().filter(|(name, _)| is_named(name) || scene.sets.contains_key(*name));
+    let wanted = wanted.filter(|(name, _)| !is_made(name));
     let one = |(name, members): (&String, &Vec<u32>)| {
         // Between nodes at centres a point falls to the nearest on every lattice, and a face is the outermost of them.
         let free = match scene.sets.get(name) {
@@ -39,7 +45,7 @@ pub(super) fn kept(scene: &Checked, rest: &[Vec3], sets: &BTreeMap<String, Vec<u
         let multiples =
             if free && rows.centred { vec![1; rows.cells.len()] } else { rows.multiples(members) };
         // What neither acts nor is read may hold cells of a part.
-        let read_only = reading.contains(name) && !acting.contains(name);
+        let read_only = reading.contains(name.as_str()) && !acting.contains(name.as_str());
         KeptSet { name: name.clone(), multiples, read_only }
     };
     wanted.map(one).filter(|set| set.multiples.iter().any(|&multiple| multiple > 1)).collect()

@@ -1,4 +1,4 @@
-//! Named sets of particles: edges, corners and middle rows of the lattice, nearest particles, boxes.
+//! Named sets of particles: edges, corners and middle rows of the lattice, nearest particles, boxes, and what is made of sets.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -22,21 +22,19 @@ impl Sets {
         cloud: &Cloud,
         brought: Option<BTreeMap<String, Vec<u32>>>,
     ) -> Result<Self, SceneError> {
-        let mut members = match brought {
+        let members = match brought {
             Some(members) => members,
             None => {
                 let found = |name: &str| Some((name.to_string(), built_in(name, cloud)?));
                 BUILT_IN.into_iter().filter_map(found).collect()
             }
         };
-        for (name, region) in &scene.sets {
-            let particles = inside(region, &cloud.positions, cloud.spacing());
-            if particles.is_empty() {
-                return Err(empty(scene, name, &cloud.positions));
-            }
-            members.insert((*name).into(), particles);
-        }
-        Ok(Self { members })
+        let mut sets = Self { members };
+        let own = |path: &str, name: &str| sets.at(scene, path, name).map(<[u32]>::to_vec);
+        let pick = |region: &Region| inside(region, &cloud.positions, cloud.spacing());
+        let declared = Declared { scene, positions: &cloud.positions, own: &own, pick: &pick }.all()?;
+        sets.members.extend(declared);
+        Ok(sets)
     }
 
     /// All sets by name.
@@ -65,6 +63,50 @@ impl Sets {
             };
             SceneError::Set(scene.source.fault(path, &format!("\"{name}\""), &bound, &repair))
         })
+    }
+}
+
+/// The sets that the scene of a body declares, to be found.
+pub(super) struct Declared<'a> {
+    pub scene: &'a BodyInScene<'a>,
+    /// Places in the frame of the regions \[L\].
+    pub positions: &'a [Vec3],
+    /// Members of a set that the body has of itself, named at a path.
+    pub own: &'a dyn Fn(&str, &str) -> Result<Vec<u32>, SceneError>,
+    /// Members in a region of space.
+    pub pick: &'a dyn Fn(&Region) -> Vec<u32>,
+}
+
+impl Declared<'_> {
+    /// All of them by name.
+    ///
+    /// # Errors
+    /// [`SceneError::Set`] for a set without members; what `own` refuses.
+    pub fn all(&self) -> Result<BTreeMap<String, Vec<u32>>, SceneError> {
+        let one = |(name, region): (&&str, &&Region)| Ok(((*name).to_string(), self.one(name, region)?));
+        self.scene.sets.iter().map(one).collect()
+    }
+
+    /// The members of one.
+    ///
+    /// # Errors
+    /// As of all.
+    pub fn one(&self, name: &str, region: &Region) -> Result<Vec<u32>, SceneError> {
+        let found = match region.made() {
+            None => (self.pick)(region),
+            // The checks leave no set that is made of itself.
+            Some((made, sets)) => {
+                let each = sets.iter().enumerate().map(|(i, set)| {
+                    let set = self.scene.own_set(set);
+                    match self.scene.sets.get(set) {
+                        Some(region) => self.one(set, region),
+                        None => (self.own)(&format!("sets.{name}.{}[{i}]", made.word()), set),
+                    }
+                });
+                made.members(&each.collect::<Result<Vec<_>, _>>()?)
+            }
+        };
+        if found.is_empty() { Err(empty(self.scene, name, region, self.positions)) } else { Ok(found) }
     }
 }
 
@@ -121,6 +163,12 @@ pub(crate) fn inside(region: &Region, positions: &[Vec3], spacing: f64) -> Vec<u
         let nearest = numbered().min_by(|(_, x), (_, y)| distance(x).total_cmp(&distance(y)));
         return nearest.map(|(a, _)| a).into_iter().collect();
     }
+    if let Some(near) = region.near {
+        // A particle at the distance belongs to the ball, whatever rounding did to it.
+        let reach = near.distance.get() + 1e-9 * spacing;
+        let within = |x: &Vec3| (x - Vec3::from(near.point)).norm() <= reach;
+        return numbered().filter(|(_, x)| within(x)).map(|(a, _)| a).collect();
+    }
     if let Some(plane) = region.plane {
         let normal = Vec3::from(plane.normal).normalize();
         let within = plane.within.map_or(1e-3 * spacing, |within| within.get());
@@ -135,11 +183,17 @@ pub(crate) fn inside(region: &Region, positions: &[Vec3], spacing: f64) -> Vec<u
 }
 
 /// Refusal of a declared set without particles.
-pub(super) fn empty(scene: &BodyInScene<'_>, name: &str, positions: &[Vec3]) -> SceneError {
+fn empty(scene: &BodyInScene<'_>, name: &str, region: &Region, positions: &[Vec3]) -> SceneError {
+    let path = format!("sets.{name}");
+    if let Some((made, _)) = region.made() {
+        let bound = format!("the {} of its sets holds no particle", made.word());
+        let repair = "see where the sets lie: `coque view` shows them, or give each a column of the curve";
+        return SceneError::Set(scene.source.fault(&path, "empty", &bound, repair));
+    }
     let [least, greatest] = [f64::min, f64::max].map(|pick| corner(positions, pick));
     let repair = format!("the {} lies between {least} and {greatest}", scene.body.word());
     let bound = "its region holds no particle";
-    SceneError::Set(scene.source.fault(&format!("sets.{name}"), "empty", bound, &repair))
+    SceneError::Set(scene.source.fault(&path, "empty", bound, &repair))
 }
 
 /// One corner of the box round particles.

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 92] = [
+const EXAMPLES: [Example; 93] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -65,6 +65,7 @@ const EXAMPLES: [Example; 92] = [
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
+    Example::new("framed-plate", 0.2, include_str!("../../../scenes/framed-plate.toml")),
     Example::new("gate", 7.0, include_str!("../../../scenes/gate.toml")),
     Example::new("gate-on-sill", 8.0, include_str!("../../../scenes/gate-on-sill.toml")),
     Example::new("gate-bonds", 28.0, include_str!("../../../scenes/gate-bonds.toml")),

@@ -1,6 +1,6 @@
 //! One body of a scene with all that the scene says of it: what checks and builders of a body alone take.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 
 use sph_core::Vec3;
@@ -101,7 +101,7 @@ impl<'a> BodyInScene<'a> {
         let mut supports = on_body(scene, name, "supports", &scene.supports, |support| &support.on)?;
         supports.retain(|support| joints.iter().all(|joint| joint.path != support.path));
         let sets = scene.sets.iter().map(|(name, region)| (name.as_str(), region));
-        let of_it = |region: &Region| region.of.as_ref().is_none_or(|of| of == name);
+        let of_it = |region: &Region| scene.owner_of(region).is_none_or(|of| of == name);
         Ok(Self {
             scene,
             name,
@@ -152,6 +152,22 @@ impl<'a> BodyInScene<'a> {
     pub(crate) fn own_set<'b>(&self, set: &'b str) -> &'b str {
         let rest = set.strip_prefix(self.name).and_then(|rest| rest.strip_prefix('.'));
         rest.filter(|_| self.together).unwrap_or(set)
+    }
+
+    /// Names of its sets, and of those that they are made of.
+    pub(crate) fn with_operands<'b>(&'b self, names: impl Iterator<Item = &'b str>) -> BTreeSet<&'b str> {
+        let mut open: Vec<&str> = names.collect();
+        let mut found = BTreeSet::new();
+        while let Some(name) = open.pop() {
+            let Some((_, sets)) = self.sets.get(name).and_then(|region| region.made()) else {
+                found.insert(name);
+                continue;
+            };
+            if found.insert(name) {
+                open.extend(sets.iter().map(|set| self.own_set(set)));
+            }
+        }
+        found
     }
 
     /// The deflection of the body before it is strained.

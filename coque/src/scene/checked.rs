@@ -9,9 +9,11 @@ use toml::de::DeTable;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::{check, first_body};
 use crate::scene::error::SceneError;
+use crate::scene::includes::Included;
+use crate::scene::parameters::Values;
 use crate::scene::problem::Scene;
 use crate::scene::source::Source;
-use crate::scene::{forms, overrides, tables};
+use crate::scene::{forms, includes, lists, overrides, parameters, tables};
 
 /// A checked scene: made by reading one or by [`Scene::check`], never changed, and the only thing that is built.
 #[derive(Clone, Debug)]
@@ -86,17 +88,75 @@ impl Scene {
         origin: &str,
         replaced: &[(String, String)],
     ) -> Result<Checked, SceneError> {
-        let document = overrides::shown(text, replaced);
-        let mut source = Source::new(origin, &document);
+        let files = includes::read(text, origin)?;
+        let source = Self::texts(text, origin, replaced, &files);
         let whole = source.text();
-        let mut table: Spanned<DeTable<'_>> =
-            DeTable::parse(&whole[..text.len()]).map_err(|e| source.refusal(&e))?;
-        overrides::apply(table.get_mut(), &whole, text.len(), replaced, &source)?;
+        Self::merged(&whole, text.len(), replaced, &files, source)
+    }
+
+    /// The text of a scene with all that it includes, to be read without these files; itself where it includes none.
+    ///
+    /// # Errors
+    /// [`SceneError`] for files that cannot be read or are no TOML.
+    pub fn whole_text(text: &str, origin: &str) -> Result<String, SceneError> {
+        let files = includes::read(text, origin)?;
+        if files.is_empty() {
+            return Ok(text.into());
+        }
+        let source = Self::texts(text, origin, &[], &files);
+        let whole = source.text();
+        let mut table = DeTable::parse(&whole[..text.len()]).map_err(|e| source.refusal(&e))?;
+        includes::merge(table.get_mut(), &whole, &files, &source)?;
+        let names: Vec<&str> = files.iter().map(|file| file.origin.as_str()).collect();
+        let head = format!("# {origin} with what it includes: {}\n", names.join(", "));
+        Ok(head.replace(char::is_control, " ").trim_end().to_string()
+            + "\n"
+            + &includes::written(table.get_ref()))
+    }
+
+    /// All texts one after another: the scene, the values that are replaced, files.
+    fn texts(text: &str, origin: &str, replaced: &[(String, String)], files: &[Included]) -> Source {
+        let mut whole = overrides::shown(text, replaced);
+        let mut starts = Vec::with_capacity(files.len());
+        for file in files {
+            whole.push('\n');
+            starts.push((whole.len(), &file.origin));
+            whole.push_str(&file.text);
+        }
+        let mut source = Source::new(origin, &whole);
+        starts.into_iter().for_each(|(start, file)| source.includes(start, file));
+        source
+    }
+
+    /// Reads a scene from its document and what goes into it.
+    fn merged(
+        whole: &str,
+        length: usize,
+        replaced: &[(String, String)],
+        files: &[Included],
+        mut source: Source,
+    ) -> Result<Checked, SceneError> {
+        let mut table = DeTable::parse(&whole[..length]).map_err(|e| source.refusal(&e))?;
+        includes::merge(table.get_mut(), whole, files, &source)?;
+        parameters::refuse_unknown(table.get_ref(), replaced, &source)?;
+        overrides::apply(table.get_mut(), whole, length, replaced, &source)?;
         source.index(table.get_ref())?;
-        tables::refuse_lists(table.get_ref(), &source)?;
-        forms::lengthen(&mut table, &source)?;
+        let values = parameters::values(table.get_ref(), &source)?;
+        Self::of(table, source, &values)
+    }
+
+    /// The scene of a document whose places are known, with the values of its expressions.
+    fn of<'i>(
+        mut document: Spanned<DeTable<'i>>,
+        mut source: Source,
+        values: &'i Values,
+    ) -> Result<Checked, SceneError> {
+        parameters::put(document.get_mut(), values);
+        lists::unite(document.get_mut(), &mut source)?;
+        tables::refuse_lists(document.get_ref(), &source)?;
+        forms::lengthen(&mut document, &source)?;
         let mut scene =
-            Self::deserialize(toml::de::Deserializer::from(table)).map_err(|e| source.refusal(&e))?;
+            Self::deserialize(toml::de::Deserializer::from(document)).map_err(|e| source.refusal(&e))?;
         scene.source = source;
         scene.drop_body_names();
         scene.check()

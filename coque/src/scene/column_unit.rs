@@ -39,7 +39,7 @@ impl ColumnUnit {
     /// if the scene has no units.
     pub fn named(name: &str, quantity: Quantity, own: &Units) -> Option<Self> {
         let symbol = name.replace("^2", "²").replace("^3", "³").replace("^4", "⁴");
-        let own = [size(&LENGTHS, own.length)?, size(&FORCES, own.force)?, size(&TIMES, own.time)?];
+        let own = sizes(own)?;
         let ratio = |sizes: [f64; 3]| -> f64 {
             let powers = quantity.powers();
             let one = |k: usize| {
@@ -87,6 +87,20 @@ impl ColumnUnit {
             _ => format!("{form}, {}", parts.join("; ")),
         }
     }
+}
+
+/// Sizes of the units of a scene, as those of [`base`]; none if it has no units.
+pub(super) fn sizes(own: &Units) -> Option<[f64; 3]> {
+    Some([size(&LENGTHS, own.length)?, size(&FORCES, own.force)?, size(&TIMES, own.time)?])
+}
+
+/// Which of length, force and time a symbol is a unit of, and its size, a whole number.
+pub(super) fn base(symbol: &str) -> Option<(usize, f64)> {
+    let lengths = LENGTHS.iter().map(|(unit, size)| (unit.symbol(), 0, *size));
+    let forces = FORCES.iter().map(|(unit, size)| (unit.symbol(), 1, *size));
+    let times = TIMES.iter().map(|(unit, size)| (unit.symbol(), 2, *size));
+    let mut all = lengths.chain(forces).chain(times);
+    all.find(|(known, ..)| *known == symbol).map(|(_, axis, size)| (axis, size))
 }
 
 /// The size of a unit.

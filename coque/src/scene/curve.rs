@@ -13,7 +13,7 @@ pub struct Probe {
     pub name: String,
     /// What it measures.
     pub of: Measured,
-    /// Particle set; of what strains make, such as stresses, a set of cells.
+    /// Particle set, or a list of sets: the union of them; of what strains make, such as stresses, a set of cells.
     pub on: String,
     /// What is taken of the values of its particles; left out, the mean, for forces, moments, fluxes, energies of cells and
     /// fracture energies the sum, of von Mises' stress the largest.

@@ -12,7 +12,7 @@ use crate::scene::bounded::{NotNegative, Positive};
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Load {
-    /// Particle set.
+    /// Particle set, or a list of sets: the union of them.
     pub on: String,
     /// Dead force, shared by the set.
     pub force: Option<Force>,

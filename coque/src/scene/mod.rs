@@ -1,6 +1,7 @@
 //! A scene: a problem as plain, validated data.
 
 mod absent;
+mod amount;
 mod analysis;
 mod analysis_kind;
 pub(crate) mod body_in_scene;
@@ -14,18 +15,22 @@ mod contact;
 mod coupling;
 mod curve;
 pub(crate) mod error;
+mod expression;
 pub(crate) mod fluid;
 mod forms;
 mod glue;
 pub(crate) mod glued;
 mod imperfection;
+mod includes;
 pub(crate) mod joints;
 mod levels;
+mod lists;
 mod loads;
 mod nearest;
 mod output;
 mod overrides;
 pub(crate) mod owner;
+mod parameters;
 mod per_axis;
 mod problem;
 pub(crate) mod reference;
@@ -65,7 +70,7 @@ pub use output::{ErrorBars, ErrorProbe, Fields, Output, Plot};
 pub use per_axis::PerAxis;
 pub use problem::{BodyScene, Scene};
 pub use rigid::{Coat, RigidBall, RigidBox, RigidGeometry, RigidScene};
-pub use sets::{Box3, Layer, OnPlane, Region};
+pub use sets::{Box3, Layer, Near, OnPlane, Region};
 pub use shell::ShellScene;
 pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use shell::geometry::{

@@ -101,7 +101,8 @@ fn parse<'i>(text: &'i str, start: usize, line: &Line<'_>) -> Result<Spanned<DeV
     }
 }
 
-fn moved(value: Spanned<DeValue<'_>>, by: usize) -> Spanned<DeValue<'_>> {
+/// A value that stands so many bytes further on in a whole text.
+pub(super) fn moved(value: Spanned<DeValue<'_>>, by: usize) -> Spanned<DeValue<'_>> {
     let span = value.span().start + by..value.span().end + by;
     let value = match value.into_inner() {
         DeValue::Table(table) => DeValue::Table(
@@ -119,6 +120,16 @@ fn moved(value: Spanned<DeValue<'_>>, by: usize) -> Spanned<DeValue<'_>> {
         other => other,
     };
     Spanned::new(span, value)
+}
+
+/// Drops the alternatives of a table under one of this name that gives another.
+pub(super) fn takes_over(key: &str, own: &DeTable<'_>, under: &mut DeTable<'_>) {
+    let beside = |word: &str| BESIDE.contains(&word);
+    let words: Vec<&str> = own.keys().map(|word| &**word.get_ref()).filter(|word| !beside(word)).collect();
+    if ALTERNATIVES.contains(&key) && !words.is_empty() {
+        let kept = |word: &str| beside(word) || words.contains(&word);
+        *under = std::mem::take(under).into_iter().filter(|(word, _)| kept(word.get_ref())).collect();
+    }
 }
 
 fn insert<'i>(

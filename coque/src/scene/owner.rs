@@ -25,14 +25,16 @@ impl<'a> Owner<'a> {
         if on == "all" {
             return Ok(Self::Every);
         }
-        if let Some(of) = scene.sets.get(on).and_then(|region| region.of.as_ref()) {
+        if let Some(of) = scene.sets.get(on).and_then(|region| scene.owner_of(region)) {
             return Ok(Self::Of(of, on));
         }
         match on.split_once('.') {
             Some((body, set)) if scene.bodies.contains_key(body) => Ok(Self::Of(body, set)),
             _ => {
                 let every = scene.bodies.keys().map(|name| format!("{name}.all"));
-                let known: Vec<String> = every.chain(scene.sets.keys().cloned()).collect();
+                let is_list = |name: &&String| scene.source.is_called(&format!("sets.{name}"));
+                let declared = scene.sets.keys().filter(|name| !is_list(name));
+                let known: Vec<String> = every.chain(declared.cloned()).collect();
                 let repair = suggest(on, &known.iter().map(String::as_str).collect::<Vec<_>>());
                 let bound =
                     "which names no set of any body: a set of one of several bodies is written body.set";

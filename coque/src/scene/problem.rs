@@ -1,6 +1,6 @@
 //! The scene as a whole.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use mesh_io::surface::Arrays;
@@ -38,6 +38,12 @@ pub struct Scene {
     pub title: String,
     /// The one consistent set of units.
     pub units: Units,
+    /// Scene files whose tables are taken where this one has none, paths from its folder; their lists of tables come after its own.
+    #[serde(default)]
+    pub include: Vec<String>,
+    /// Numbers by names of your own. Where a number is expected, a text such as `"2 * ${NAME}"` is an expression of them.
+    #[serde(default)]
+    pub parameters: BTreeMap<String, f64>,
     /// Bodies by name, each of one kind: `[bodies.NAME.KIND]`. A lone shell may stand at the top of the scene without them.
     #[serde(default)]
     pub bodies: BTreeMap<String, BodyScene>,
@@ -197,14 +203,41 @@ impl Scene {
         let loads = self.loads.iter_mut().map(|load| &mut load.on);
         let columns = self.curve.iter_mut().map(|column| &mut column.on);
         for on in supports.chain(loads).chain(columns).filter(|on| !self.sets.contains_key(*on)) {
-            if let Some(set) = on.strip_prefix(body).and_then(|rest| rest.strip_prefix('.')) {
+            if let Some(set) = own_name(body, on) {
                 *on = set.into();
             }
         }
+        let declared: BTreeSet<String> = self.sets.keys().cloned().collect();
+        let made = self.sets.values_mut().flat_map(Region::names_mut);
+        for name in made.filter(|name| !declared.contains(*name)) {
+            if let Some(set) = own_name(body, name) {
+                *name = set.into();
+            }
+        }
+    }
+
+    /// The body whose set a declared set is: as it says, or as the sets say that it is made of; none where nothing says so.
+    pub(crate) fn owner_of<'a>(&'a self, region: &'a Region) -> Option<&'a str> {
+        if let Some(of) = &region.of {
+            return Some(of);
+        }
+        let body = |name: &'a String| match self.sets.get(name) {
+            Some(inner) => self.owner_of(inner),
+            None => {
+                let (body, _) = name.split_once('.')?;
+                self.bodies.contains_key(body).then_some(body)
+            }
+        };
+        region.made()?.1.iter().find_map(body)
     }
 
     /// Where the keys of the scene stand.
     pub(crate) fn scope(&self) -> Scope<'_> {
         self.source.scope("")
     }
+}
+
+/// A name of a set without that of its body; none if it is not named with it.
+fn own_name<'a>(body: &str, name: &'a str) -> Option<&'a str> {
+    name.strip_prefix(body)?.strip_prefix('.')
 }

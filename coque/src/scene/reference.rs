@@ -165,6 +165,10 @@ impl<'a> Page<'a> {
             return kinds.join(", ");
         }
         let count = of["minItems"].as_u64().filter(|least| of["maxItems"].as_u64() == Some(*least));
+        if let Some([Value::String(one), Value::String(_)]) = of["type"].as_array().map(Vec::as_slice) {
+            let one = self.kind(&serde_json::json!({ "type": one }));
+            return format!("{one}, or list of {}", self.kind(self.resolved(&of["items"])));
+        }
         match of["type"].as_str().unwrap_or_default() {
             "object" => "table".into(),
             "array" => match (self.kind(self.resolved(&of["items"])).as_str(), count) {
@@ -189,7 +193,7 @@ impl<'a> Page<'a> {
 }
 
 /// The dimension in brackets in a description, such as `F/L²`.
-fn dimension(said: &str) -> Option<&str> {
+pub(super) fn dimension(said: &str) -> Option<&str> {
     let inside = said.split('[').skip(1).filter_map(|rest| rest.split_once(']').map(|(inside, _)| inside));
     inside
         .filter(|text| ["rad", "degrees"].contains(text) || text.chars().all(|c| "LFTs1/–²³⁴⁵ ,".contains(c)))

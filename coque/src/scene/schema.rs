@@ -22,6 +22,10 @@ pub fn schema() -> Value {
         exactly_one(types, "Fracture", &["energy", "stretch"]);
         exactly_one(types, "Explicit", &["quasi-static", "transient"]);
         exactly_one(types, "ArcLength", &["until", "stop"]);
+        several(types, "Support", "on");
+        several(types, "Spring", "to");
+        several(types, "Load", "on");
+        several(types, "Probe", "on");
         let kernels = sph_core::kernels().map(|kernel| kernel.name());
         let curvatures = shell_kinematics::strain_measures().map(|measure| measure.name());
         for options in ["StressPoint", "Nodal", "StrongForm"] {
@@ -32,9 +36,28 @@ pub fn schema() -> Value {
     schema
 }
 
-/// The schema as it is printed and kept in `scenes/schema.json`.
+/// The schema as it is printed and kept in `scenes/schema.json`: for editors, whose numbers may be expressions as well.
 pub fn schema_text() -> String {
-    format!("{:#}\n", schema())
+    let mut schema = schema();
+    expressions(&mut schema);
+    format!("{schema:#}\n")
+}
+
+/// Where a number is expected, a text that holds a parameter or an operator is taken as well.
+fn expressions(value: &mut Value) {
+    match value {
+        Value::Object(map) => {
+            if let Some(kind) =
+                map.get("type").filter(|kind| *kind == "number" || *kind == "integer").cloned()
+            {
+                map.insert("type".into(), json!([kind, "string"]));
+                map.insert("pattern".into(), json!("[$(+*/^-]|pi|[0-9] [a-zA-Z°]"));
+            }
+            map.values_mut().for_each(expressions);
+        }
+        Value::Array(items) => items.iter_mut().for_each(expressions),
+        _ => {}
+    }
 }
 
 /// Takes out null, formats of numbers and the marks of rustdoc.
@@ -89,6 +112,13 @@ fn short_form(schema: &mut Value) {
 /// A table must give exactly one of these keys.
 fn exactly_one(types: &mut Map<String, Value>, table: &str, words: &[&str]) {
     types[table]["oneOf"] = words.iter().map(|word| json!({ "required": [word] })).collect();
+}
+
+/// A key takes a text, or a list of texts.
+fn several(types: &mut Map<String, Value>, table: &str, key: &str) {
+    let key = &mut types[table]["properties"][key];
+    key["type"] = json!(["string", "array"]);
+    key["items"] = json!({ "type": "string" });
 }
 
 /// The words that a key may have.

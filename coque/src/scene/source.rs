@@ -1,5 +1,6 @@
 //! The text of a scene with the place of every key and value: what errors point at.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -30,17 +31,32 @@ pub struct Source {
     origin: Arc<str>,
     text: Arc<str>,
     entries: BTreeMap<String, Entry>,
+    /// Paths of what the scene does not write, each with that of what it is written as.
+    called: BTreeMap<String, String>,
+    /// Where the texts of files that are included begin in the whole one, each with its file.
+    files: Vec<(usize, Arc<str>)>,
 }
 
 impl Source {
     /// A text of which nothing is known yet.
     pub(crate) fn new(origin: &str, text: &str) -> Self {
-        Self { origin: origin.into(), text: text.into(), entries: BTreeMap::new() }
+        Self {
+            origin: origin.into(),
+            text: text.into(),
+            entries: BTreeMap::new(),
+            called: BTreeMap::new(),
+            files: Vec::new(),
+        }
     }
 
     /// No text at all.
     pub(crate) fn none() -> Self {
         Self::new("", "")
+    }
+
+    /// Notes that the text of a file begins so many bytes on: one behind the text before it.
+    pub(super) fn includes(&mut self, start: usize, file: &str) {
+        self.files.push((start, file.into()));
     }
 
     /// Notes the place of everything in a document; refuses numbers that are not finite.
@@ -79,6 +95,41 @@ impl Source {
         }
     }
 
+    /// Notes that what would stand at a path is written at another.
+    pub(super) fn calls(&mut self, path: &str, written: &str) {
+        self.called.insert(path.into(), written.into());
+    }
+
+    /// Whether what would stand at a path is written at another.
+    pub(super) fn is_called(&self, path: &str) -> bool {
+        self.called.contains_key(path)
+    }
+
+    /// Where in the scene it is written what stands at a path.
+    fn written<'a>(&self, path: &'a str) -> Cow<'a, str> {
+        let list = path.strip_suffix(']').and_then(|path| path.rsplit_once('['));
+        match (self.called.get(path), list) {
+            (Some(written), _) => Cow::Owned(written.clone()),
+            (None, Some((above, item))) => match self.called.get(above) {
+                Some(written) => Cow::Owned(format!("{written}[{item}]")),
+                None => Cow::Borrowed(path),
+            },
+            _ => Cow::Borrowed(path),
+        }
+    }
+
+    /// The bytes of a part of a text value whose token stands at `span`; of one written with escapes those of the whole.
+    pub(super) fn within(&self, span: &Range<usize>, value: &str, part: &Range<usize>) -> Range<usize> {
+        let token = &self.text[span.clone()];
+        let quoted = token.get(1..).is_some_and(|rest| rest.starts_with(value));
+        let quote = match quoted && token.len() == value.len() + 2 {
+            true => 1,
+            false if token == value => 0,
+            false => return span.clone(),
+        };
+        span.start + quote + part.start..span.start + quote + part.end
+    }
+
     /// Whether something stands at a path.
     pub(crate) fn has(&self, path: &str) -> bool {
         self.entries.contains_key(path)
@@ -111,12 +162,23 @@ impl Source {
 
     /// A place in the text.
     pub(super) fn at(&self, span: Option<Range<usize>>) -> Place {
-        Place { origin: self.origin.clone(), text: self.text.clone(), span }
+        let Some((first, _)) = self.files.first() else {
+            return Place { origin: self.origin.clone(), text: self.text.clone(), span };
+        };
+        let begins = |span: &Range<usize>| self.files.iter().rposition(|(start, _)| *start <= span.start);
+        let Some((number, span)) = span.as_ref().and_then(|span| Some((begins(span)?, span))) else {
+            return Place { origin: self.origin.clone(), text: self.text[..first - 1].into(), span };
+        };
+        let (start, file) = &self.files[number];
+        let end = self.files.get(number + 1).map_or(self.text.len(), |(next, _)| next - 1);
+        let span = Some(span.start - start..span.end.min(end) - start);
+        Place { origin: file.clone(), text: self.text[*start..end].into(), span }
     }
 
     /// Everything that a refusal of the value at `path` carries.
     pub(crate) fn fault(&self, path: &str, value: &str, bound: &str, repair: &str) -> Box<Fault> {
-        let place = self.place(path);
+        let path = self.written(path);
+        let place = self.place(&path);
         Box::new(Fault {
             key: path.into(),
             value: value.into(),

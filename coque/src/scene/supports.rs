@@ -11,7 +11,7 @@ use crate::scene::bounded::Positive;
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Support {
-    /// Particle set.
+    /// Particle set, or a list of sets: the union of them.
     pub on: String,
     /// Neither position nor director moves.
     pub clamped: Option<Fixed>,
@@ -125,7 +125,7 @@ pub struct Spring {
     pub axis: Option<[f64; 3]>,
     /// Stiffness of the whole set: force by displacement along a direction, moment by radian about an axis \[F/L, F L\].
     pub stiffness: Positive,
-    /// The set at the other end of springs along a direction, of as many places, each paired with the nearest one; two rigid sets are joined at
+    /// The set, or list of sets, at the other end of springs along a direction, of as many places, each paired with the nearest one; two rigid sets are joined at
     /// their reference points. Left out, the ground. A set of another body, `NAME.set`, joins the two: the pairs then share the stiffness
     /// equally.
     pub to: Option<String>,

@@ -1,5 +1,7 @@
 //! A cantilever strip as a scene, and its deflection.
 
+#![allow(dead_code)] // each test binary uses its own part
+
 use coque::{Outcome, Rendering, Scene, Silent, render};
 
 /// A strip 10 × 1 clamped at its left end, without Poisson's ratio.

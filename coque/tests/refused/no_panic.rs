@@ -193,4 +193,20 @@ proptest! {
             prop_assert!(!drawn(&error).is_empty());
         }
     }
+
+    /// A text in place of a number, of what expressions and amounts are made of, in quotes of either kind.
+    #[test]
+    fn texts_for_numbers_never_panic(text in "([-+*/^() ,.]|[$][{]t[}]|pi|min|sqrt|mm|deg|é|[0-9]{1,3}|1e9){0,12}", raw in any::<bool>()) {
+        let quote = if raw { "'" } else { "\"" };
+        let value = format!("{quote}{text}{quote}");
+        let replaced = [
+            ("parameters".to_string(), "{ t = 2.0 }".to_string()),
+            ("section.homogeneous.thickness".to_string(), value),
+        ];
+        if let Err(error) = Scene::with_overrides(&scene(0), "ring.toml", &replaced) {
+            let fault = error.fault();
+            let inside = fault.place.span.clone().is_none_or(|s| s.end <= fault.place.text.len());
+            prop_assert!(inside && !drawn(&error).is_empty(), "{fault:?}");
+        }
+    }
 }

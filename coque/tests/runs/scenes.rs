@@ -49,8 +49,11 @@ fn in_the_long_form(text: &str) -> String {
     let shell = keys.into_iter().filter_map(|key| scene.remove_entry(key)).collect::<toml::Table>();
     for list in ["supports", "loads", "curve"] {
         for item in scene.get_mut(list).and_then(|list| list.as_array_mut()).into_iter().flatten() {
-            let on = format!("shell.{}", item["on"].as_str().unwrap());
-            item["on"] = on.into();
+            let long = |on: &toml::Value| toml::Value::from(format!("shell.{}", on.as_str().unwrap()));
+            item["on"] = match &item["on"] {
+                toml::Value::Array(names) => names.iter().map(long).collect::<Vec<_>>().into(),
+                name => long(name),
+            };
         }
     }
     let one = |name: &str, of: toml::Table| toml::Table::from_iter([(name.into(), of.into())]);
@@ -63,6 +66,8 @@ fn said(scene: Checked) -> String {
     let Scene {
         title,
         units,
+        include: _,
+        parameters,
         bodies,
         sets,
         supports,
@@ -82,7 +87,7 @@ fn said(scene: Checked) -> String {
         "{:?}",
         (
             title,
-            units,
+            (units, parameters),
             bodies,
             sets,
             supports,

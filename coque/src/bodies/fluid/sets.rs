@@ -3,7 +3,8 @@
 use sph_core::Vec3;
 
 use super::walls::Piece;
-use crate::bodies::sets::{empty, inside};
+use crate::bodies::sets::{Declared, inside};
+use crate::scene::Region;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 
@@ -17,9 +18,10 @@ pub(in crate::bodies) fn of_fluid(
     positions: &[Vec3],
     spacing: f64,
 ) -> Result<Vec<u32>, SceneError> {
-    let Some(region) = scene.sets.get(name) else { return Ok((0..positions.len() as u32).collect()) };
-    let found = inside(region, positions, spacing);
-    if found.is_empty() { Err(empty(scene, name, positions)) } else { Ok(found) }
+    let all = || (0..positions.len() as u32).collect();
+    let Some(region) = scene.sets.get(name) else { return Ok(all()) };
+    let pick = |region: &Region| inside(region, positions, spacing);
+    Declared { scene, positions, own: &|_, _| Ok(all()), pick: &pick }.one(name, region)
 }
 
 /// What a name means on walls.
@@ -47,17 +49,24 @@ pub(in crate::bodies) fn of_walls(
         let of = |(piece, of): (usize, &'_ Piece)| (0..of.points.len()).map(move |a| (piece, a));
         pieces.iter().enumerate().flat_map(of)
     };
-    let Some(region) = scene.sets.get(name) else {
+    let taken = |name: &str| -> Vec<usize> {
         let taken = pieces.iter().enumerate().filter(|(_, piece)| name == "all" || piece.side == Some(name));
-        let taken: Vec<usize> = taken.map(|(number, _)| number).collect();
-        let first = |&(piece, a): &(usize, usize)| taken.contains(&piece) && pieces[piece].first[a];
-        return Ok(OnWalls { particles: numbered().filter(first).collect(), pieces: taken, point: None });
+        taken.map(|(number, _)| number).collect()
+    };
+    let first =
+        |taken: &[usize], (piece, a): (usize, usize)| taken.contains(&piece) && pieces[piece].first[a];
+    let Some(region) = scene.sets.get(name) else {
+        let pieces = taken(name);
+        let particles = numbered().filter(|&at| first(&pieces, at)).collect();
+        return Ok(OnWalls { particles, pieces, point: None });
     };
     let positions: Vec<Vec3> = pieces.iter().flat_map(|piece| piece.points.iter().copied()).collect();
-    let found = inside(region, &positions, spacing);
-    if found.is_empty() {
-        return Err(empty(scene, name, &positions));
-    }
+    let own = |_: &str, name: &str| {
+        let taken = taken(name);
+        Ok((0..).zip(numbered()).filter(|&(_, at)| first(&taken, at)).map(|(a, _)| a).collect())
+    };
+    let pick = |region: &Region| inside(region, &positions, spacing);
+    let found = Declared { scene, positions: &positions, own: &own, pick: &pick }.one(name, region)?;
     let all: Vec<(usize, usize)> = numbered().collect();
     let particles = found.into_iter().map(|a| all[a as usize]).collect();
     Ok(OnWalls { particles, pieces: Vec::new(), point: region.nearest.map(Vec3::from) })

@@ -36,6 +36,12 @@ impl Places {
             return Ok(self.cells.faces[number].clone());
         }
         let region = sets.scene().sets.get(name).copied();
+        if region.is_some_and(|region| region.near.is_some() || region.made().is_some()) {
+            let bound = "but what acts by area acts on sides of the block, boxes, planes and layers: their borders cut faces straight";
+            let repair = "give each side and box a load of its own, or use `force`, which acts on nodes";
+            let fault = sets.scene().source.fault(path, &format!("\"{name}\""), bound, repair);
+            return Err(SceneError::Set(fault));
+        }
         if region.is_none() {
             return Ok(self.cells.faces.iter().flatten().copied().collect()); // `all`
         }

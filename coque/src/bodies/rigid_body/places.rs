@@ -8,10 +8,10 @@ use rigid_body::{Outline, ball, cuboid};
 use sph_core::Vec3;
 
 use crate::bodies::Identity;
-use crate::bodies::sets::{empty, inside};
+use crate::bodies::sets::{Declared, inside};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{Mesh, RigidGeometry};
+use crate::scene::{Mesh, Region, RigidGeometry};
 
 /// The surface that a scene gives, and the file that it was read from.
 pub(super) fn outline(
@@ -59,14 +59,11 @@ pub(super) fn sets(
 ) -> Result<BTreeMap<String, Vec<u32>>, SceneError> {
     let centre = rest.len() as u32 - 1;
     let vertices = &rest[..centre as usize];
-    let mut all = BTreeMap::from([("all".to_string(), vec![centre])]);
-    for (name, region) in &scene.sets {
-        let members = inside(region, vertices, spacing);
-        if members.is_empty() {
-            return Err(empty(scene, name, vertices));
-        }
-        all.insert((*name).into(), members);
-    }
+    let pick = |region: &Region| inside(region, vertices, spacing);
+    // The body itself, at its centre.
+    let own = |_: &str, _: &str| Ok(vec![centre]);
+    let mut all = Declared { scene, positions: vertices, own: &own, pick: &pick }.all()?;
+    all.insert("all".into(), vec![centre]);
     Ok(all)
 }
 

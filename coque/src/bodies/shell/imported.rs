@@ -230,8 +230,8 @@ fn groups_used(scene: &ShellInScene<'_>, surface: &Surface) -> BTreeSet<String> 
     let loads = scene.loads.iter().filter(|load| load.acts_on_cells()).map(|load| load.on);
     let parts = scene.shell.parts.iter().map(|part| part.on.as_str());
     let hosts = scene.shell.ties.iter().map(|tie| tie.to.as_str());
-    let used = loads.chain(parts).chain(hosts).filter(|name| surface.face_sets.contains_key(*name));
-    used.map(Into::into).collect()
+    let used = scene.with_operands(loads.chain(parts).chain(hosts)).into_iter();
+    used.filter(|name| surface.face_sets.contains_key(*name)).map(Into::into).collect()
 }
 
 /// The sections of the file, if the scene asks for them: every face in one, each with a material that the file has.
@@ -291,9 +291,7 @@ fn sections_used<'a>(
     // Faces that parts of the scene name need none of the file.
     let named: BTreeSet<u32> = (shell.parts.iter())
         .filter(|part| part.section.is_some() && part.material.is_some())
-        .filter_map(|part| surface.face_sets.get(&part.on))
-        .flatten()
-        .copied()
+        .flat_map(|part| faces_of(scene, surface, &part.on))
         .collect();
     let bare = |face: &usize| of_face[*face].is_none() && !named.contains(&(*face as u32));
     if let Some(face) = (0..surface.faces.len()).find(bare) {
@@ -305,6 +303,17 @@ fn sections_used<'a>(
         );
     }
     Ok(sections)
+}
+
+/// Faces of a group of the file, or of what is made of groups; of any other set none.
+fn faces_of(scene: &ShellInScene<'_>, surface: &Surface, name: &str) -> Vec<u32> {
+    match scene.sets.get(name).and_then(|region| region.made()) {
+        Some((made, sets)) => {
+            let each = sets.iter().map(|set| faces_of(scene, surface, scene.own_set(set)));
+            made.members(&each.collect::<Vec<_>>())
+        }
+        None => surface.face_sets.get(name).cloned().unwrap_or_default(),
+    }
 }
 
 /// A number for each of so many faces, the same for faces that lie in the same lists, and the numbers of each list.

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use sph_core::{Block, BlockLattice, Vec3};
 
-use crate::bodies::sets::{empty, inside};
+use crate::bodies::sets::{Declared, inside};
+use crate::scene::Region;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::sets::OF_SOLIDS;
@@ -35,16 +36,13 @@ impl<'a> NodeSets<'a> {
         for (name, face) in OF_SOLIDS[1..].iter().zip(&block.faces) {
             out.members.insert((*name).into(), face.iter().map(|&(node, _)| node).collect());
         }
-        for (name, region) in &scene.sets {
-            let nodes = match &region.layer {
-                Some(layer) => out.layer(&layer.face, layer.depth.get()),
-                None => inside(region, &block.positions, block.greatest_spacing()),
-            };
-            if nodes.is_empty() {
-                return Err(empty(scene, name, &block.positions));
-            }
-            out.members.insert((*name).into(), nodes);
-        }
+        let own = |path: &str, name: &str| out.at(path, name).map(<[u32]>::to_vec);
+        let pick = |region: &Region| match &region.layer {
+            Some(layer) => out.layer(&layer.face, layer.depth.get()),
+            None => inside(region, &block.positions, block.greatest_spacing()),
+        };
+        let declared = Declared { scene, positions: &block.positions, own: &own, pick: &pick }.all()?;
+        out.members.extend(declared);
         Ok(out)
     }
 

@@ -10,6 +10,7 @@ mod fluid;
 mod gauges;
 mod glue;
 mod imperfection;
+mod made;
 mod preload;
 mod rigid;
 mod rubbing;
@@ -27,6 +28,7 @@ use self::curve::check_curve;
 use self::fluid::check_velocity_of_fluid;
 use self::glue::check_glue;
 use self::imperfection::check_imperfection;
+use self::made::check_circles;
 use self::preload::check_preload;
 use self::rigid::check_rigid;
 use self::sets::{check_set_name, check_sets};
@@ -44,6 +46,7 @@ use crate::scene::velocity::Velocity;
 /// Refuses the first thing that is out of bounds.
 pub(super) fn check(scene: &Scene) -> Verdict {
     check_units(scene)?;
+    check_circles(scene)?;
     let (name, body) = named_body(scene)?;
     check_bodies(scene)?;
     check_coupling(scene)?;

@@ -1,5 +1,6 @@
 //! Checks of named sets, and of names of sets.
 
+use super::made::check_names;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::BodyScene;
@@ -10,7 +11,8 @@ use crate::scene::walls::WallGeometry;
 pub(super) fn check_sets(scene: &BodyInScene<'_>) -> Verdict {
     let s = &scene.scope();
     let (built_in, solid) = (built_in(scene.body), scene.as_solid().is_some());
-    for (name, Region { of, nearest, inside, plane, layer }) in &scene.sets {
+    for (name, region) in &scene.sets {
+        let Region { of, nearest, near, inside, plane, layer, union, intersection, difference } = region;
         let at = format!("sets.{name}");
         if let Some(of) = of {
             s.word(&format!("{at}.of"), of, &[scene.name])?;
@@ -22,13 +24,23 @@ pub(super) fn check_sets(scene: &BodyInScene<'_>) -> Verdict {
         }
         let mut given = Vec::new();
         given.extend(nearest.map(|_| "nearest"));
+        given.extend(near.map(|_| "near"));
         given.extend(inside.map(|_| "box"));
         given.extend(plane.map(|_| "plane"));
         given.extend(layer.as_ref().map(|_| "layer"));
-        let known = ["nearest", "box", "plane", "layer"];
-        s.exactly_one(&at, "region", &given, if solid { &known } else { &known[..3] })?;
+        given.extend(union.as_ref().map(|_| "union"));
+        given.extend(intersection.as_ref().map(|_| "intersection"));
+        given.extend(difference.as_ref().map(|_| "difference"));
+        let known = ["nearest", "near", "box", "plane", "union", "intersection", "difference", "layer"];
+        s.exactly_one(&at, "region", &given, if solid { &known } else { &known[..7] })?;
+        if let Some((made, names)) = region.made() {
+            check_names(scene, name, made, names)?;
+        }
         if let Some(point) = nearest {
             s.sized_all(&format!("{at}.nearest"), point)?;
+        }
+        if let Some(near) = near {
+            s.sized_all(&format!("{at}.near.point"), &near.point)?;
         }
         if let Some(plane) = plane {
             s.sized_all(&format!("{at}.plane.point"), &plane.point)?;
@@ -39,8 +51,8 @@ pub(super) fn check_sets(scene: &BodyInScene<'_>) -> Verdict {
             if !solid {
                 let found = "a layer under a face";
                 let bound = match scene.body {
-                    BodyScene::Shell(_) => "`nearest`, `box` or `plane` on a shell",
-                    _ => "`nearest`, `box` or `plane` here",
+                    BodyScene::Shell(_) => "`nearest`, `near`, `box` or `plane` on a shell",
+                    _ => "`nearest`, `near`, `box` or `plane` here",
                 };
                 let fault = s.fault(&at("face"), found, bound, "use a box: only solids have layers");
                 return Err(SceneError::Choice(fault));
@@ -86,7 +98,9 @@ pub(super) fn check_set_name(scene: &BodyInScene<'_>, path: &str, name: &str) ->
     if known.contains(&name) && !is_open_side(scene.body, name) {
         return Ok(());
     }
-    let known: Vec<&str> = known.into_iter().filter(|known| !is_open_side(scene.body, known)).collect();
+    let is_list = |name: &str| scene.source.is_called(&format!("sets.{name}"));
+    let known: Vec<&str> =
+        known.into_iter().filter(|known| !is_open_side(scene.body, known) && !is_list(known)).collect();
     let repair = suggest(name, &known);
     Err(SceneError::Set(scene.scope().fault(path, &format!("\"{name}\""), "which is no set", &repair)))
 }

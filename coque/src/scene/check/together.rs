@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::check_alone;
 use super::curve::{check_column_name, check_measured_alike, check_plot};
 use super::fluid::check_sound_speed;
+use super::made::check_owners_of_made;
 use super::several::{check_joints, check_several};
 use crate::scene::body_in_scene::{BodyInScene, OnSet, gravity_on};
 use crate::scene::coupling::Coupling;
@@ -82,8 +83,9 @@ fn check_owners(scene: &Scene) -> Verdict {
     if scene.bodies.len() == 1 {
         return Ok(());
     }
+    check_owners_of_made(scene)?;
     for (name, region) in &scene.sets {
-        if region.of.is_none() {
+        if scene.owner_of(region).is_none() {
             let names = Vec::from_iter(scene.bodies.keys().map(String::as_str)).join(", ");
             let (path, repair) = (format!("sets.{name}.of"), format!("add of = \"…\", one of {names}"));
             let bound = "given where there are several bodies";
