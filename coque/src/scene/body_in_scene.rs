@@ -198,7 +198,9 @@ impl<'a> BodyInScene<'a> {
     pub(crate) fn stress_drives(&self) -> bool {
         let kind = self.analysis.kind();
         let alone = self.loads.is_empty() && self.supports.iter().all(|support| support.motion().is_none());
-        self.is_stressed() && alone && kind.wants_driver && kind.preloads
+        // A stress does not vibrate: what does so vibrates about it.
+        let counts = kind.wants_driver && kind.preloads && !matches!(self.analysis, Analysis::Harmonic(_));
+        self.is_stressed() && alone && counts
     }
 
     /// Whether anything is applied before the analysis.
