@@ -11,6 +11,9 @@ use common::{Replaced, column, last, overridden, ran, refusal};
 use coque::{Ended, Outcome, Progress, ProgressReport, WarningKind};
 
 const SHAKEN: &str = "cantilever-shaken.toml";
+/// Modes of the plate; nothing is measured on them.
+const MODES: (&str, &str) = ("analysis", "{ modal = { modes = 1 } }");
+const UNREAD: (&str, &str) = ("curve", "[]");
 
 /// A small plate clamped on one side, askew to the axes of its loads, so that all of its motions are coupled to what is read.
 const PLATE: &str = r#"
@@ -111,7 +114,7 @@ fn all_modes_and_a_factor_at_each_frequency_agree() {
 /// A ratio is half of a loss factor at the peak of a mode, where both damp by the same force.
 #[test]
 fn a_ratio_is_half_of_a_loss_factor_at_a_peak() {
-    let modes = ran(overridden(PLATE, "plate.toml", &[("analysis", "{ modal = { modes = 1 } }"), ("loads", "[]")]));
+    let modes = ran(overridden(PLATE, "plate.toml", &[MODES, UNREAD, ("loads", "[]")]));
     let first = format!("[{}]", last(&modes, "frequency"));
     let of = |damping| {
         let peak = [("analysis.harmonic.frequencies", &*first), ("analysis.harmonic.modes", "1"), damping];
@@ -126,8 +129,19 @@ fn a_ratio_is_half_of_a_loss_factor_at_a_peak() {
 /// Three decades below the first mode inertia counts by the square, 1e-6.
 #[test]
 fn slow_vibration_is_the_answer_at_rest() {
-    let slow = [("analysis.harmonic.frequencies", "[0.01]"), ("analysis.harmonic.damping", "{ structural = 1e-9 }")];
-    let rest = ran(overridden(PLATE, "plate.toml", &[("analysis", "{ linear = {} }"), ("curve[2]", "{ name = \"v\", of = \"displacement\", on = \"there\", direction = [0.1, 0.3, 1.0] }")]));
+    let slow =
+        [("analysis.harmonic.frequencies", "[0.01]"), ("analysis.harmonic.damping", "{ structural = 1e-9 }")];
+    let rest = ran(overridden(
+        PLATE,
+        "plate.toml",
+        &[
+            ("analysis", "{ linear = {} }"),
+            (
+                "curve[2]",
+                "{ name = \"v\", of = \"displacement\", on = \"there\", direction = [0.1, 0.3, 1.0] }",
+            ),
+        ],
+    ));
     let vibrates = plate(&slow);
     for name in ["w", "turn", "R", "M", "m"] {
         let [[cosine, _]] = parts(&vibrates, name)[..] else { panic!("one row") };
@@ -139,7 +153,8 @@ fn slow_vibration_is_the_answer_at_rest() {
 fn force_here_and_way_there_can_be_exchanged() {
     let of = |load: &str, read: &str| {
         let load = format!("[{{ on = \"{load}\", force = {{ total = [0.0, 0.0, 1.0] }} }}]");
-        let read = format!("[{{ name = \"w\", of = \"displacement\", on = \"{read}\", direction = [0, 0, 1] }}]");
+        let read =
+            format!("[{{ name = \"w\", of = \"displacement\", on = \"{read}\", direction = [0, 0, 1] }}]");
         parts(&plate(&[("loads", &load), ("curve", &read)]), "w")
     };
     for (one, other) in of("here", "there").into_iter().zip(of("there", "here")) {
@@ -197,32 +212,38 @@ fn a_shaken_base_is_a_weight_in_axes_that_go_along() {
     // Far below the first mode the plate goes along as one.
     let slow = plate(&[none, base, ("analysis.harmonic.frequencies", "[0.01]")]);
     let mass = 2700.0 * 0.4 * 0.3 * 0.004;
-    assert!(apart(parts(&slow, "R")[0], [2.0 * mass, 0.0]) < 1e-6, "{:?}", parts(&slow, "R"));
+    assert!(apart(parts(&slow, "R")[0], [2.0 * mass, 0.0]) < 1e-6);
 }
 
 /// Three quarters of the way to the peak of the first mode, damped by mass, against a march that has come to its steady swing.
 #[test]
 fn a_march_under_a_sine_comes_to_the_steady_swing() {
-    let read = ("curve", "[{ name = \"w\", of = \"displacement\", on = \"there\", direction = [0.0, 0.0, 1.0] }]");
+    let read =
+        ("curve", "[{ name = \"w\", of = \"displacement\", on = \"there\", direction = [0.0, 0.0, 1.0] }]");
     let frequency = 16.0;
+    let fine = ("geometry.plate.particles", "[13, 10]");
     let steady = plate(&[
         read,
+        fine,
         ("analysis.harmonic.frequencies", "[16.0]"),
-        ("analysis.harmonic.damping", "{ rayleigh = { mass = 30.0 } }"),
+        ("analysis.harmonic.damping", "{ rayleigh = { mass = 60.0 } }"),
     ]);
     let load = format!(
         "[{{ on = \"here\", force = {{ total = [0.0004, 0.0002, 0.001] }}, amplitude = {{ sine = {{ period = {} }} }} }}]",
         1.0 / frequency
     );
-    let march = ("analysis", "{ explicit.transient = { duration = 1.0, record_every = 0.0009765625, damping = 30.0 } }");
-    let marched = plate(&[read, march, ("loads", &load)]);
+    let march = (
+        "analysis",
+        "{ explicit.transient = { duration = 0.5, record_every = 0.0009765625, damping = 60.0 } }",
+    );
+    let marched = plate(&[read, fine, march, ("loads", &load)]);
     let (time, w) = (column(&marched, "time"), column(&marched, "w"));
     // Four periods at the end, each of 64 records: what goes as the sine and as the cosine.
     let tail = time.len() - 257..time.len() - 1;
     let of = |wave: fn(f64) -> f64| -> f64 {
         tail.clone().map(|i| wave(TAU * frequency * time[i]) * w[i]).sum::<f64>() / 128.0
     };
-    // sin ωt = Re[−i exp(iωt)], thousandth of the load.
+    // Of sin ωt = Re[−i exp(iωt)], a thousandth of the load.
     let found = [1e3 * of(libm::sin), 1e3 * of(libm::cos)];
     let error = apart(found, parts(&steady, "w")[0]);
     // exp(−15) of the start is left, and the march has its own rotary inertia and its own step.
@@ -235,8 +256,8 @@ fn a_preload_moves_the_peak() {
     let drawn = "{ on = \"u1\", force = { total = [20000.0, 0.0, 0.0] }, preload = true }";
     let force = "{ on = \"here\", force = { total = [0.4, 0.2, 1.0] } }";
     let loads = format!("[{drawn}, {force}]");
-    let modes = plate(&[("analysis", "{ modal = { modes = 1 } }"), ("loads", &format!("[{drawn}]"))]);
-    let free = plate(&[("analysis", "{ modal = { modes = 1 } }"), ("loads", "[]")]);
+    let modes = plate(&[MODES, UNREAD, ("loads", &format!("[{drawn}]"))]);
+    let free = plate(&[MODES, UNREAD, ("loads", "[]")]);
     let first = last(&modes, "frequency");
     assert!(first > 1.2 * last(&free, "frequency"));
     let list = format!("[{}, {first}, {}]", 0.99 * first, 1.01 * first);
@@ -277,30 +298,30 @@ curve = [{ name = "w", of = "displacement", on = "x1", direction = [0.0, 0.0, 1.
     }
 }
 
-/// Ends a run when asked for the n-th time.
-struct Impatient(usize);
+/// Ends a run at a level.
+struct Until(f64);
 
-impl Progress for Impatient {
-    fn update(&mut self, _: &ProgressReport) -> ControlFlow<()> {
-        self.0 = self.0.saturating_sub(1);
-        if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+impl Progress for Until {
+    fn update(&mut self, news: &ProgressReport) -> ControlFlow<()> {
+        if news.level < self.0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     }
 }
 
 #[test]
 fn it_ends_between_two_frequencies_when_asked() {
     let model = overridden(PLATE, "plate.toml", &[]).unwrap().build(1).unwrap();
-    let outcome = model.run(&mut Impatient(3));
+    let outcome = model.run(&mut Until(60.0));
     assert_eq!(outcome.ended, Ended::Interrupted { time: 0.0, level: 60.0 });
     assert_eq!(outcome.curve.rows.len(), 2);
 }
 
 #[test]
 fn resonance_without_damping_is_said() {
-    let modes = plate(&[("analysis", "{ modal = { modes = 1 } }"), ("loads", "[]")]);
+    let modes = plate(&[MODES, UNREAD, ("loads", "[]")]);
     let list = format!("[{:.17e}]", last(&modes, "frequency"));
-    let bare = "{ harmonic = { frequencies = [20.0], modes = 2 } }";
-    let outcome = ran(overridden(PLATE, "plate.toml", &[("analysis", bare), ("analysis.harmonic.frequencies", &list)]));
+    let bare = "{ harmonic = { frequencies = [20.0], modes = 1 } }";
+    let outcome =
+        ran(overridden(PLATE, "plate.toml", &[("analysis", bare), ("analysis.harmonic.frequencies", &list)]));
     let said = outcome.summary.ended.to_string();
     assert!(said.contains("nothing damps the vibration"), "{said}");
 }
@@ -308,7 +329,9 @@ fn resonance_without_damping_is_said() {
 #[test]
 fn what_is_doubtful_is_said() {
     let kinds = |replaced: Replaced| -> Vec<WarningKind> {
-        plate(replaced).summary.record.warnings.iter().map(|warning| warning.kind).collect()
+        let outcome = plate(replaced);
+        let kinds = outcome.summary.record.warnings.iter().map(|warning| warning.kind);
+        kinds.filter(|&kind| kind != WarningKind::FewParticles).collect()
     };
     let fine = ("analysis.harmonic.frequencies", "{ from = 15.0, to = 60.0, points = 301 }");
     let rough = ("analysis.harmonic.frequencies", "{ from = 15.0, to = 60.0, points = 31 }");
@@ -326,8 +349,14 @@ fn what_is_doubtful_is_said() {
     }
     let low = "{ harmonic = { frequencies = [5.0, 7.0] } }";
     assert_eq!(kinds(&[("analysis", low)]), []);
-    let pushed = "[{ on = \"all\", membrane = [-60e6, 0.0, 0.0] }]";
-    assert!(kinds(&[fine, ("initial_stress", pushed)]).contains(&WarningKind::Unstable));
+    // Between two clamps it buckles at −25e6.
+    let pushed = [
+        fine,
+        ("initial_stress", "[{ on = \"all\", membrane = [-60e6, 0.0, 0.0] }]"),
+        ("supports[+]", "{ on = \"u1\", clamped = {} }"),
+        ("loads[0].on", "\"there\""),
+    ];
+    assert!(kinds(&pushed).contains(&WarningKind::Unstable));
 }
 
 #[test]
@@ -339,7 +368,13 @@ fn vibrations_that_cannot_be_had() {
         ("nothing", &[(at, "[]")]),
         ("rest", &[(at, "[0.0, 1.0]")]),
         ("out of order", &[(at, "[2.0, 1.0]")]),
-        ("ratio without modes", &[("analysis.harmonic", "{ frequencies = [1.0], damping.ratio = 0.1, base.acceleration = [0, 0, 1] }")]),
+        (
+            "ratio without modes",
+            &[(
+                "analysis.harmonic",
+                "{ frequencies = [1.0], damping.ratio = 0.1, base.acceleration = [0, 0, 1] }",
+            )],
+        ),
         ("no Rayleigh", &[("analysis.harmonic.damping", "{ rayleigh = {} }")]),
         ("base at rest", &[("analysis.harmonic.base.acceleration", "[0, 0, 0]")]),
         ("a motion", &[("supports[+]", "{ on = \"u1\", moved = { direction = [0, 0, 1], by = 0.1 } }")]),
@@ -348,8 +383,18 @@ fn vibrations_that_cannot_be_had() {
         ("the greatest", &[("curve[0].take", "\"max\"")]),
     ];
     let said = cases.map(|(what, replaced)| format!("== {what}\n{}\n", refusal(SHAKEN, replaced, 100)));
-    let yields = refusal("roof-collapsing.toml", &[("analysis", "{ harmonic = { frequencies = [1.0] } }")], 100);
-    let several = refusal("joined-cantilevers.toml", &[("analysis", "{ harmonic = { frequencies = [1.0] } }")], 100);
+    let yields =
+        refusal("roof-collapsing.toml", &[("analysis", "{ harmonic = { frequencies = [1.0] } }")], 100);
+    let several =
+        refusal("joined-cantilevers.toml", &[("analysis", "{ harmonic = { frequencies = [1.0] } }")], 100);
     let phase = refusal(SHAKEN, &[("curve[1].name", "\"tip_phase\"")], 100);
-    insta::assert_snapshot!(said.concat() + "== yields\n" + &yields + "\n== several\n" + &several + "\n== a name that is taken\n" + &phase);
+    insta::assert_snapshot!(
+        said.concat()
+            + "== yields\n"
+            + &yields
+            + "\n== several\n"
+            + &several
+            + "\n== a name that is taken\n"
+            + &phase
+    );
 }

@@ -38,7 +38,8 @@ impl Potential for Chain {
     fn gradient(&self, q: &[f64], out: &mut [f64]) {
         let place = |i: usize| if i == 0 { 0.0 } else { q.get(i - 1).copied().unwrap_or(0.0) };
         for (i, force) in out.iter_mut().enumerate() {
-            *force = self.links[i] * (place(i + 1) - place(i)) - self.links[i + 1] * (place(i + 2) - place(i + 1));
+            *force =
+                self.links[i] * (place(i + 1) - place(i)) - self.links[i + 1] * (place(i + 2) - place(i + 1));
         }
     }
     fn hessian(&self, _: &[f64], add: &mut dyn FnMut(usize, usize, f64)) {
@@ -126,7 +127,8 @@ fn few_modes_are_exact_at_rest_and_near_it() {
     let damping = HarmonicDamping::Structural(0.04);
     let modal = reduced(&mut Chain::new(60, 20), damping, 5);
     assert_eq!(modal.shapes().len(), 6);
-    let last = natural_modes(&mut Chain::new(60, 20), 0.0, 5, 0.0, &mut unwatched).unwrap().modes[4].circular_frequency();
+    let last = natural_modes(&mut Chain::new(60, 20), 0.0, 5, 0.0, &mut unwatched).unwrap().modes[4]
+        .circular_frequency();
     let error = |share: f64| {
         let motion = modal.motion(&modal.at(share * last).unwrap());
         apart(&direct(&mut Chain::new(60, 20), damping, share * last), &motion)
@@ -139,7 +141,7 @@ fn few_modes_are_exact_at_rest_and_near_it() {
 fn what_comes_in_is_taken() {
     for damping in DAMPINGS {
         for omega in [0.3, 1.0, 2.2] {
-                    let mut direct = DirectResponse::new(&mut Chain::new(15, 4), 0.0, damping).unwrap();
+            let mut direct = DirectResponse::new(&mut Chain::new(15, 4), 0.0, damping).unwrap();
             let motion = direct.at(omega).unwrap();
             let whole = direct.energies(&motion, omega);
             assert!((whole.external / whole.dissipated - 1.0).abs() < 1e-11, "{whole:?}");

@@ -21,8 +21,9 @@ if TYPE_CHECKING:
     Analysis_4 = TypedDict("Analysis_4", {"arc-length": "ArcLength"})
     Analysis_5 = TypedDict("Analysis_5", {"relaxation": "Relaxation"})
     Analysis_6 = TypedDict("Analysis_6", {"modal": "Modal"})
-    Analysis_7 = TypedDict("Analysis_7", {"buckling": "Buckling"})
-    Analysis: TypeAlias = Union["Analysis_1", "Analysis_2", "Analysis_3", "Analysis_4", "Analysis_5", "Analysis_6", "Analysis_7"]
+    Analysis_7 = TypedDict("Analysis_7", {"harmonic": "Harmonic"})
+    Analysis_8 = TypedDict("Analysis_8", {"buckling": "Buckling"})
+    Analysis: TypeAlias = Union["Analysis_1", "Analysis_2", "Analysis_3", "Analysis_4", "Analysis_5", "Analysis_6", "Analysis_7", "Analysis_8"]
     Anisotropy = TypedDict("Anisotropy", {"axis": Sequence[float], "r0": float, "r45": float, "r90": float})
     Annulus = TypedDict("Annulus", {"centre": Sequence[float], "inner": float, "outer": float, "spacing": float})
     Arc = TypedDict("Arc", {"angles": Sequence[float], "cells": Sequence[int], "length": float, "radius": float, "thickness": float})
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     Axis: TypeAlias = Union[Literal['edge'], Sequence[float]]
     BackStress = TypedDict("BackStress", {"modulus": float, "recovery": float})
     Ball = TypedDict("Ball", {"centre": Sequence[float], "radius": float})
+    BaseResponse: TypeAlias = Union[Literal['relative'], Literal['absolute']]
     Basin = TypedDict("Basin", {"max": Sequence[float], "min": Sequence[float], "open": NotRequired[Sequence[str]]})
     Block = TypedDict("Block", {"disorder": NotRequired["NodeDisorder"], "grading": NotRequired[Sequence[float]], "lengths": Sequence[float], "nodes": NotRequired["NodePlaces"], "origin": NotRequired[Sequence[float]], "spacing": "PerAxis", "thickness": NotRequired[float]})
     BodyScene_1 = TypedDict("BodyScene_1", {"shell": "ShellScene"})
@@ -93,6 +95,9 @@ if TYPE_CHECKING:
     Formulation_3 = TypedDict("Formulation_3", {"strong-form": "StrongForm"})
     Formulation: TypeAlias = Union["Formulation_1", "Formulation_2", "Formulation_3"]
     Fracture = TypedDict("Fracture", {"by": NotRequired["BondMeasure"], "energy": NotRequired[float], "stretch": NotRequired["Stretches"]})
+    Frequencies: TypeAlias = Union["FrequencyRange", Sequence[float]]
+    FrequencyRange = TypedDict("FrequencyRange", {"from": float, "points": int, "spacing": NotRequired["FrequencySpacing"], "to": float})
+    FrequencySpacing: TypeAlias = Union[Literal['linear'], Literal['logarithmic']]
     Galerkin = TypedDict("Galerkin", {"across": NotRequired["Across"], "basis": NotRequired["GalerkinBasis"], "essential": NotRequired["GalerkinEssential"], "gauss": NotRequired[int], "kernel": NotRequired[str], "law": NotRequired["GalerkinLaw"], "support": NotRequired["GalerkinSupport"], "tangent": NotRequired["GalerkinTangent"], "update": NotRequired["GalerkinUpdate"], "volumes": NotRequired["GalerkinVolumes"]})
     GalerkinBasis: TypeAlias = Union[Literal['linear'], Literal['quadratic'], Literal['plate17']]
     GalerkinEssential: TypeAlias = Union[Literal['collocation'], Literal['direct']]
@@ -118,6 +123,7 @@ if TYPE_CHECKING:
     Hardening_3 = TypedDict("Hardening_3", {"swift": "Swift"})
     Hardening_4 = TypedDict("Hardening_4", {"table": Sequence[Sequence[float]]})
     Hardening: TypeAlias = Union["Hardening_1", "Hardening_2", "Hardening_3", "Hardening_4"]
+    Harmonic = TypedDict("Harmonic", {"base": NotRequired["ShakenBase"], "damping": NotRequired["VibrationDamping"], "frequencies": "Frequencies", "modes": NotRequired[int]})
     Held = TypedDict("Held", {"director": NotRequired[Sequence[Sequence[float]]], "displacement": NotRequired[Sequence[Sequence[float]]]})
     Homogeneous = TypedDict("Homogeneous", {"gauss_points": NotRequired[int], "slices": NotRequired[int], "table": NotRequired["ThicknessTable"], "taper": NotRequired["Taper"], "thickness": float, "values": NotRequired[str]})
     Imperfection = TypedDict("Imperfection", {"amplitude": float, "half_waves": NotRequired[Sequence[int]], "mode": NotRequired[int]})
@@ -164,7 +170,7 @@ if TYPE_CHECKING:
     Plane: TypeAlias = Union[Literal['stress'], Literal['strain']]
     Plastic = TypedDict("Plastic", {"anisotropy": NotRequired["Anisotropy"], "back-stresses": NotRequired[Sequence["BackStress"]], "density": float, "hardening": "Hardening", "kinematic": NotRequired[float], "poisson": float, "rate": NotRequired["Rate"], "young": float})
     Plate = TypedDict("Plate", {"disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[float]], "lengths": Sequence[float], "particles": NotRequired[Sequence[int]], "scattered": NotRequired["Scattered"]})
-    Plot = TypedDict("Plot", {"x": str, "y": str})
+    Plot = TypedDict("Plot", {"log_x": NotRequired[bool], "log_y": NotRequired[bool], "x": str, "y": str})
     Ply = TypedDict("Ply", {"angle": float, "material": NotRequired["Material"], "slices": NotRequired[int], "thickness": float})
     Polygon = TypedDict("Polygon", {"corners": Sequence[Sequence[float]]})
     Polyline = TypedDict("Polyline", {"points": Sequence[Sequence[float]], "side": "LineSide"})
@@ -175,6 +181,7 @@ if TYPE_CHECKING:
     Rate_1 = TypedDict("Rate_1", {"cowper-symonds": "CowperSymonds"})
     Rate_2 = TypedDict("Rate_2", {"johnson-cook": "JohnsonCook"})
     Rate: TypeAlias = Union["Rate_1", "Rate_2"]
+    RayleighDamping = TypedDict("RayleighDamping", {"mass": NotRequired[float], "stiffness": NotRequired[float]})
     Reach: TypeAlias = Union[Literal['cell'], float]
     Region = TypedDict("Region", {"box": NotRequired["Box3"], "layer": NotRequired["Layer"], "nearest": NotRequired[Sequence[float]], "of": NotRequired[str], "plane": NotRequired["OnPlane"]})
     Relaxation = TypedDict("Relaxation", {"damping": NotRequired["RelaxationDamping"], "force": NotRequired[float], "iterations": NotRequired[int], "levels": "Levels", "tolerance": NotRequired[float]})
@@ -199,6 +206,7 @@ if TYPE_CHECKING:
     Section_2 = TypedDict("Section_2", {"layered": "Layered"})
     Section_3 = TypedDict("Section_3", {"file": "OfFile"})
     Section: TypeAlias = Union["Section_1", "Section_2", "Section_3"]
+    ShakenBase = TypedDict("ShakenBase", {"acceleration": Sequence[float], "response": NotRequired["BaseResponse"]})
     ShellFace: TypeAlias = Union[Literal['top'], Literal['bottom']]
     ShellPart = TypedDict("ShellPart", {"formulation": NotRequired["PartFormulation"], "material": NotRequired["Material"], "offset": NotRequired[float], "on": str, "section": NotRequired["Section"]})
     ShellScene = TypedDict("ShellScene", {"formulation": NotRequired["Formulation"], "geometry": "Geometry", "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": "Material", "orientation": NotRequired["Orientation"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": "Section", "ties": NotRequired[Sequence["ShellTie"]], "tools": NotRequired[Sequence["ToolScene"]], "velocity": NotRequired["Velocity"], "wet": NotRequired["WetFaces"]})
@@ -244,6 +252,10 @@ if TYPE_CHECKING:
     TwoSheets = TypedDict("TwoSheets", {"correction": NotRequired["Correction"], "horizon": NotRequired[float], "influence": NotRequired["Influence"]})
     Units = TypedDict("Units", {"force": "Force", "length": "Length", "time": "Time"})
     Velocity = TypedDict("Velocity", {"linear": NotRequired[Sequence[float]], "on": NotRequired[str], "spin": NotRequired["Spin"]})
+    VibrationDamping_1 = TypedDict("VibrationDamping_1", {"ratio": float})
+    VibrationDamping_2 = TypedDict("VibrationDamping_2", {"rayleigh": "RayleighDamping"})
+    VibrationDamping_3 = TypedDict("VibrationDamping_3", {"structural": float})
+    VibrationDamping: TypeAlias = Union["VibrationDamping_1", "VibrationDamping_2", "VibrationDamping_3"]
     Voce = TypedDict("Voce", {"rate": float, "rise": float, "yield-stress": float})
     Volume = TypedDict("Volume", {"added": float, "beside": NotRequired[float], "bulk_modulus": float})
     Wall = TypedDict("Wall", {"normal": Sequence[float], "point": Sequence[float]})

@@ -31,39 +31,41 @@ pub(crate) fn harmonic(wanted: &Harmonic, system: &mut dyn StaticBody, run: &mut
         Ok(way) => way,
         Err(ended) => return *ended,
     };
-    let frequencies = wanted.circular();
+    let frequencies = wanted.frequencies.list();
     let mut peaks = Peaks::default();
     let mut below = Vec::new();
-    for (number, &omega) in frequencies.iter().enumerate() {
+    for (number, &frequency) in frequencies.iter().enumerate() {
+        let omega = TAU * frequency;
         let found = match way.at(omega, &mut reader, system, run) {
             Ok(found) => found,
-            Err(cause) => return run.unbalanced(number as u64, omega / TAU, cause),
+            Err(cause) => return run.unbalanced(number as u64, frequency, cause),
         };
         let Found { energies, values, motion } = found;
         let CycleEnergies { internal, kinetic, external, dissipated } = energies;
-        let mut row = vec![omega / TAU, omega, internal, kinetic, external, dissipated];
+        let mut row = vec![frequency, omega, internal, kinetic, external, dissipated];
         row.extend(values.iter().flat_map(|value| [value.amplitude(), value.phase()]));
         run.push(row);
         run.record.energies.internal = internal;
         run.record.energies.kinetic = kinetic;
         below.extend(way.below());
-        if let Some((at, motion)) = peaks.take(omega, internal + kinetic, motion)
-            && keep(system, &motion.widest(way.masses()), at / TAU, run).is_break()
+        if let Some((at, motion)) = peaks.take(frequency, internal + kinetic, motion)
+            && keep(system, &motion.widest(way.masses()), at, run).is_break()
         {
             break;
         }
         let done = (number + 1) as f64 / frequencies.len() as f64;
-        if run.tell(done, number as u64 + 1, omega / TAU, internal).is_break() {
-            return interrupted(omega / TAU);
+        if run.tell(done, number as u64 + 1, frequency, internal).is_break() {
+            return interrupted(frequency);
         }
     }
     if let Some((at, motion)) = peaks.last() {
         // Nothing follows: a frame that could not be taken is reported by the failure.
-        let _ = keep(system, &motion.widest(way.masses()), at / TAU, run);
+        let _ = keep(system, &motion.widest(way.masses()), at, run);
     }
     run.record.steps = run.curve.rows.len() as u64;
     let natural = way.natural();
-    Doubts { frequencies: &frequencies, damping: wanted.damped(), natural: natural.as_deref(), below: &below }
+    let circular: Vec<f64> = frequencies.iter().map(|frequency| TAU * frequency).collect();
+    Doubts { frequencies: &circular, damping: wanted.damped(), natural: natural.as_deref(), below: &below }
         .say(run);
     Ended::Done
 }
@@ -103,8 +105,7 @@ impl Way {
         match self {
             Self::Direct(direct) => {
                 let motion = direct.at(omega)?;
-                let along =
-                    [&motion.real, &motion.imaginary].map(|part| reader.slopes(part, system, run));
+                let along = [&motion.real, &motion.imaginary].map(|part| reader.slopes(part, system, run));
                 let kappa = direct.kappa(omega);
                 let parts = along.iter().zip([Complex::new(1.0, 0.0), Complex::new(0.0, 1.0)]);
                 let values = reader.values(parts.map(|(slopes, unit)| (slopes, unit, kappa)), omega, run);
@@ -113,9 +114,9 @@ impl Way {
             Self::Modes(InModes { reduced, slopes, .. }) => {
                 let coordinates = reduced.at(omega)?;
                 let parts = slopes.iter().zip(coordinates.iter().zip(reduced.kappas(omega)));
-                let values =
-                    reader.values(parts.map(|(slopes, (&z, kappa))| (slopes, z, kappa)), omega, run);
-                let (energies, motion) = (reduced.energies(&coordinates, omega), reduced.motion(&coordinates));
+                let values = reader.values(parts.map(|(slopes, (&z, kappa))| (slopes, z, kappa)), omega, run);
+                let (energies, motion) =
+                    (reduced.energies(&coordinates, omega), reduced.motion(&coordinates));
                 Ok(Found { energies, values, motion })
             }
         }
@@ -176,8 +177,8 @@ struct Peaks {
 
 impl Peaks {
     /// Takes the next frequency with its energy and its motion; the one before it if that was a peak.
-    fn take(&mut self, omega: f64, energy: f64, motion: HarmonicMotion) -> Option<(f64, HarmonicMotion)> {
-        let before = self.before.replace((omega, energy, motion))?;
+    fn take(&mut self, frequency: f64, energy: f64, motion: HarmonicMotion) -> Option<(f64, HarmonicMotion)> {
+        let before = self.before.replace((frequency, energy, motion))?;
         let rose = !self.falls;
         self.falls = energy < before.1;
         (rose && self.falls).then_some((before.0, before.2))
@@ -185,7 +186,7 @@ impl Peaks {
 
     /// The last one, if the energy rose up to there.
     fn last(self) -> Option<(f64, HarmonicMotion)> {
-        self.before.filter(|_| !self.falls).map(|(omega, _, motion)| (omega, motion))
+        self.before.filter(|_| !self.falls).map(|(frequency, _, motion)| (frequency, motion))
     }
 }
 

@@ -137,6 +137,7 @@ pub const ANALYSES: [AnalysisKind; 9] = [
         name: "a harmonic analysis",
         columns: SWINGING,
         floats: true,
+        wants_driver: false,
         seeks_force: false,
         preloads: true,
         ..LEVELLED

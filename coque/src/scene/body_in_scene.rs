@@ -198,9 +198,7 @@ impl<'a> BodyInScene<'a> {
     pub(crate) fn stress_drives(&self) -> bool {
         let kind = self.analysis.kind();
         let alone = self.loads.is_empty() && self.supports.iter().all(|support| support.motion().is_none());
-        // A stress does not vibrate: what does so vibrates about it.
-        let counts = kind.wants_driver && kind.preloads && !matches!(self.analysis, Analysis::Harmonic(_));
-        self.is_stressed() && alone && counts
+        self.is_stressed() && alone && kind.wants_driver && kind.preloads
     }
 
     /// Whether anything is applied before the analysis.

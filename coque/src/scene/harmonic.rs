@@ -1,16 +1,11 @@
 //! The analysis of steady vibration: frequencies, damping, what shakes the supports.
 
-use std::f64::consts::TAU;
-
 use implicit_statics::HarmonicDamping;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 
-use super::analysis::Analysis;
-use super::loads::{Gravity, Load};
-use super::problem::Scene;
 use crate::scene::bounded::{DampingRatio, LossFactor, Modes, NotNegative, Points, Positive};
 
 /// Steady vibration under loads that go as cos ωt, all in phase, about the unloaded or the preloaded shell; `moved` supports without `preload` are none of it.
@@ -19,7 +14,7 @@ use crate::scene::bounded::{DampingRatio, LossFactor, Modes, NotNegative, Points
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Harmonic {
-    /// Frequencies, in cycles by time.
+    /// Frequencies, in cycles by time: a list, or `{ from = 1.0, to = 100.0, points = 200, spacing = "logarithmic" }`, else linear \[1/T\].
     pub frequencies: Frequencies,
     /// Number of modes, the lowest ones, in which it is found, with what they leave out as one shape more; left out, each frequency takes a factor
     /// of its own.
@@ -129,11 +124,6 @@ impl Frequencies {
 }
 
 impl Harmonic {
-    /// Circular frequencies \[1/T\].
-    pub fn circular(&self) -> Vec<f64> {
-        self.frequencies.list().into_iter().map(|frequency| TAU * frequency).collect()
-    }
-
     /// The damping, as it is solved with.
     pub fn damped(&self) -> HarmonicDamping {
         match self.damping {
@@ -144,16 +134,6 @@ impl Harmonic {
                 HarmonicDamping::Rayleigh { mass: mass.get(), stiffness: stiffness.get() }
             }
         }
-    }
-}
-
-impl Scene {
-    /// Makes the load of what shakes the supports, in place of one that was made before: in axes that go with them a weight.
-    pub(super) fn shake_base(&mut self) {
-        self.loads.retain(|load| !load.of_base);
-        let Analysis::Harmonic(Harmonic { base: Some(base), .. }) = &self.analysis else { return };
-        let gravity = Gravity { acceleration: base.acceleration.map(|a| -a) };
-        self.loads.push(Load::weight_of_base(gravity));
     }
 }
 

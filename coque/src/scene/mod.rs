@@ -35,6 +35,7 @@ mod rigid;
 pub(crate) mod schema;
 pub(crate) mod scope;
 pub(crate) mod sets;
+mod shaken_base;
 mod shell;
 pub(crate) mod solid;
 pub(crate) mod source;

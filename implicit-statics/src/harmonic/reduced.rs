@@ -72,9 +72,10 @@ impl ReducedResponse {
         system.tangent(level, &mut values);
         let beside = system.beside_pattern(level);
         let mut solver = SymmetricSolver::placed(n, &pattern, system.coordinates().as_deref())?;
-        let shifted = pattern.iter().zip(&values).map(|(&(row, column), &k)| {
-            if row == column { k - shift * masses[row] } else { k }
-        });
+        let shifted = pattern
+            .iter()
+            .zip(&values)
+            .map(|(&(row, column), &k)| if row == column { k - shift * masses[row] } else { k });
         solver.factor_with(&shifted.collect::<Vec<f64>>(), &beside)?;
         solver.solve(&mut rest)?;
         for mode in &shapes {
@@ -146,10 +147,8 @@ impl ReducedResponse {
 
     /// The motion of these coordinates.
     pub fn motion(&self, coordinates: &[Complex]) -> HarmonicMotion {
-        let mut motion = HarmonicMotion {
-            real: vec![0.0; self.masses.len()],
-            imaginary: vec![0.0; self.masses.len()],
-        };
+        let mut motion =
+            HarmonicMotion { real: vec![0.0; self.masses.len()], imaginary: vec![0.0; self.masses.len()] };
         for (z, shape) in coordinates.iter().zip(&self.shapes) {
             motion.real.iter_mut().zip(&shape.shape).for_each(|(u, x)| *u += z.re * x);
             motion.imaginary.iter_mut().zip(&shape.shape).for_each(|(u, x)| *u += z.im * x);

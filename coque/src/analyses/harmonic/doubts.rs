@@ -59,7 +59,8 @@ impl Doubts<'_> {
 
     /// Natural frequencies that lie between those asked for, where nothing damps.
     fn undamped(&self, [first, last]: [f64; 2]) -> Option<(WarningKind, String)> {
-        let counted = self.below.last().zip(self.below.first()).map(|(last, first)| last.saturating_sub(*first));
+        let counted =
+            self.below.last().zip(self.below.first()).map(|(last, first)| last.saturating_sub(*first));
         let found = self.natural.map(|all| all.iter().filter(|&&own| (first..=last).contains(&own)).count());
         let number = found.or(counted).filter(|&number| number > 0)?;
         let message = format!(

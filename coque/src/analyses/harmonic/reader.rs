@@ -84,9 +84,7 @@ impl Reader {
             self.read(system, run)
         });
         system.restore(&self.rest);
-        let one = |i: usize| {
-            size * (8.0 * (ahead[i] - behind[i]) - (beyond[i] - before[i])) / (12.0 * step)
-        };
+        let one = |i: usize| size * (8.0 * (ahead[i] - behind[i]) - (beyond[i] - before[i])) / (12.0 * step);
         Slopes((0..ahead.len()).map(one).collect())
     }
 
@@ -113,7 +111,8 @@ impl Reader {
                 let own = at..at + probe.part_count();
                 at = own.end;
                 let parts = if kind == Kind::Force { &forces[own] } else { &ways[own] };
-                let taken = |part: fn(&Complex) -> f64| probe.of_parts(&parts.iter().map(part).collect::<Vec<_>>());
+                let taken =
+                    |part: fn(&Complex) -> f64| probe.of_parts(&parts.iter().map(part).collect::<Vec<_>>());
                 let value = Complex::new(taken(|z| z.re), taken(|z| z.im)) + self.of_base(probe, omega);
                 if kind == Kind::Rate { value * Complex::new(0.0, omega) } else { value }
             })

@@ -1,6 +1,6 @@
 //! Checks of the analysis that need no particles.
 
-use super::harmonic::{check_harmonic, is_shaken};
+use super::harmonic::check_harmonic;
 use crate::scene::analysis::{Analysis, Damping, Explicit};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
@@ -36,8 +36,7 @@ pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
         check_tangent(scene)?;
     }
     // Of several bodies one that is driven is enough.
-    let driven = scene.together || is_shaken(scene.analysis);
-    if kind.wants_driver && !driven { check_driver(scene) } else { Ok(()) }
+    if kind.wants_driver && !scene.together { check_driver(scene) } else { Ok(()) }
 }
 
 fn check_linear(scene: &BodyInScene<'_>, Linear { solver, iterations }: &Linear) -> Verdict {

@@ -35,12 +35,12 @@ pub(super) fn check_harmonic(scene: &BodyInScene<'_>, wanted: &Harmonic) -> Verd
         let fault = s.fault(&load.path, "what is pumped in", bound, repair);
         return Err(SceneError::Choice(fault));
     }
+    if wanted.base.is_none() && scene.loads.iter().all(|load| load.preload) {
+        let repair = "add a load, or shake the supports by analysis.harmonic.base";
+        let fault = s.fault("loads", "nothing", "something that drives a harmonic analysis", repair);
+        return Err(SceneError::Choice(fault));
+    }
     scene.curve.iter().try_for_each(|probe| check_swinging(scene, probe))
-}
-
-/// Whether the base drives the body.
-pub(super) fn is_shaken(analysis: &Analysis) -> bool {
-    matches!(analysis, Analysis::Harmonic(Harmonic { base: Some(_), .. }))
 }
 
 fn check_frequencies(scene: &BodyInScene<'_>, frequencies: &Frequencies) -> Verdict {
