@@ -16,6 +16,12 @@ pub enum WarningKind {
     NoPotential,
     /// Fewer modes were found than asked for.
     FewerModes,
+    /// Natural frequencies among those of a steady vibration that nothing damps.
+    Undamped,
+    /// Frequencies of a steady vibration that are too far apart for its peaks.
+    CoarseFrequencies,
+    /// A steady vibration in modes up to frequencies where those left out count.
+    TruncatedModes,
     /// A buckling level that hangs on the change of shape before buckling.
     ChangedShape,
     /// The formulation conserves neither momentum nor energy.
@@ -153,6 +159,9 @@ impl WarningKind {
             Self::PassedCritical => "passed-critical",
             Self::NoPotential => "no-potential",
             Self::FewerModes => "fewer-modes",
+            Self::Undamped => "undamped",
+            Self::CoarseFrequencies => "coarse-frequencies",
+            Self::TruncatedModes => "truncated-modes",
             Self::ChangedShape => "changed-shape",
             Self::StrongForm => "strong-form",
             Self::NodalLocking => "nodal-locking",
@@ -250,6 +259,9 @@ mod tests {
             WarningKind::ChangedShape,
             WarningKind::NoPotential,
             WarningKind::FewerModes,
+            WarningKind::Undamped,
+            WarningKind::CoarseFrequencies,
+            WarningKind::TruncatedModes,
             WarningKind::StrongForm,
             WarningKind::NodalLocking,
             WarningKind::PatternModes,

@@ -297,6 +297,14 @@ pub enum EquilibriumError {
         /// Solves made.
         solves: usize,
     },
+    /// Nothing damps a steady vibration at a natural frequency.
+    #[error(
+        "the circular frequency {omega:.10e} is a natural one, and nothing damps the vibration, which grows without end; give the damping, or leave this frequency out"
+    )]
+    Resonance {
+        /// Circular frequency \[1/T\].
+        omega: f64,
+    },
     /// No critical level has the sign asked for.
     #[error(
         "the load stretches the structure: no load level from the present one to {searched:.3e} buckles it{}",

@@ -204,6 +204,17 @@
 //! hold the stiffness of loads that follow the structure. They agree where the response does not turn the structure (plates
 //! and columns in their plane) and differ where edges bend before buckling; neither is the limit of the nonlinear path.
 //!
+//! # Steady vibration
+//!
+//! ```text
+//! (κK + (iωα − ω²) M) u = p           u(t) = Re[u exp(iωt)]
+//! κ = 1 + iη or 1 + iωβ               DirectResponse: a factor of twice the unknowns at each frequency \[day2001\]
+//! u = Σ φ f/(ω_n² κ_n − ω²) + c …     ReducedResponse: modes, and c = K⁻¹(p − MΦΦᵀp) as one shape more \[dickens1997\]
+//! ```
+//!
+//! The vector c is orthogonal to the modes in K and in M. The answer at ω = 0 is therefore the static one whatever the number of modes, and c has inertia and
+//! damping of its own. Without damping the direct answer needs the unknowns once, and the negative pivots count the natural frequencies below.
+//!
 //! # What holds, and the test that says so
 //!
 //! | invariant | test |
@@ -237,6 +248,11 @@
 //! | no level of a dense spectrum is missing, in two factorisations | `no_level_of_a_dense_spectrum_is_missing` |
 //! | levels of either sign; a load that stretches is refused | `levels_of_either_sign`, `a_load_that_stretches_is_reported_so` |
 //! | joined systems: the tangent is the derivative of all forces; unjoined each answers as alone | `the_tangent_is_the_derivative_of_all_forces`, `unjoined_systems_answer_as_each_alone` (tests/several.rs) |
+//! | steady vibration of one unknown is the closed form's, whatever damps it | `one_unknown_swings_as_its_closed_form_says` (tests/harmonic.rs) |
+//! | directly and in all modes the same; few modes and the vector c are right far below the last mode | `all_modes_and_the_direct_answer_agree`, `few_modes_are_exact_at_rest_and_near_it` |
+//! | what the loads bring in damping takes; force here and way there can be exchanged | `what_comes_in_is_taken`, `force_and_way_can_be_exchanged` |
+//! | without damping pivots count what lies below, and resonance is refused | `without_damping_pivots_count_and_resonance_is_refused` |
+//! | terms beside the pattern are damped as the pattern is | `terms_beside_the_pattern_are_damped_alike` |
 //! | a search for modes ends when asked | `a_search_is_ended_from_outside` |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -257,6 +273,7 @@ mod error;
 mod factor;
 mod follow;
 mod geometric;
+mod harmonic;
 mod inertia;
 mod iterative;
 mod modal;
@@ -286,6 +303,9 @@ pub use equilibrium::{Equilibrium, Front, row_sums};
 pub use error::EquilibriumError;
 pub use follow::follow;
 pub use geometric::Prebuckling;
+pub use harmonic::{
+    Complex, CycleEnergies, DirectResponse, HarmonicDamping, HarmonicMotion, ReducedResponse,
+};
 pub use inertia::Inertia;
 pub use iterative::{ConjugateOptions, Iterated, conjugate_response};
 pub use modal::{Mode, lowest_modes, natural_modes};

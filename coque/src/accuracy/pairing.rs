@@ -34,6 +34,7 @@ pub(super) fn key(analysis: &Analysis, curves: &[&Curve]) -> Result<Key, String>
     Ok(match analysis {
         Analysis::Linear(_) => Key::Only,
         Analysis::Modal(_) | Analysis::Buckling(_) => Key::Shape,
+        Analysis::Harmonic(_) => named("frequency").map_or(Key::Only, Key::Column),
         Analysis::ArcLength(_) => {
             let always = analysis.kind().columns;
             let grows = |&at: &usize| curves.iter().all(|curve| is_monotone(curve, at));

@@ -9,12 +9,12 @@ use super::one_solve::OneSolveLevels;
 use super::path::{Levels, arc_length};
 use super::relaxation::RelaxedLevels;
 use super::started::StartedLevels;
-use super::{linear, modes};
+use super::{harmonic, linear, modes};
 use crate::bodies::{Ready, TangentCost};
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::{Ended, Failure};
-use crate::scene::{Analysis, ArcLength, Buckling, Linear, Modal};
+use crate::scene::{Analysis, ArcLength, Buckling, Harmonic, Linear, Modal};
 
 /// An analysis under way.
 pub(super) enum Course {
@@ -29,6 +29,7 @@ pub(super) enum Course {
     Linear(Linear),
     ArcLength(ArcLength),
     Modal(Modal),
+    Harmonic(Harmonic),
     Buckling(Buckling),
 }
 
@@ -54,6 +55,7 @@ impl Course {
             Analysis::Linear(wanted) => Self::Linear(*wanted),
             Analysis::ArcLength(wanted) => Self::ArcLength(wanted.clone()),
             Analysis::Modal(wanted) => Self::Modal(*wanted),
+            Analysis::Harmonic(wanted) => Self::Harmonic(wanted.clone()),
             Analysis::Buckling(wanted) => Self::Buckling(*wanted),
         }
     }
@@ -80,6 +82,9 @@ impl Course {
             (Self::Modal(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(modes::modal(wanted.modes.get(), body.as_mut(), run))
             }
+            (Self::Harmonic(wanted), Ready::Static(body)) => {
+                ControlFlow::Break(harmonic::harmonic(wanted, body.as_mut(), run))
+            }
             (Self::Buckling(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(modes::buckling(wanted, body.as_mut(), run))
             }
@@ -105,7 +110,9 @@ impl Course {
             Self::StartedLevels(levels) => levels.last(),
             Self::OneSolve(levels) => levels.last(),
             Self::Relaxation(levels) => levels.last(),
-            Self::Linear(_) | Self::ArcLength(_) | Self::Modal(_) | Self::Buckling(_) => 0.0,
+            Self::Linear(_) | Self::ArcLength(_) | Self::Modal(_) | Self::Harmonic(_) | Self::Buckling(_) => {
+                0.0
+            }
         };
         Instant { time: 0.0, level }
     }

@@ -8,7 +8,7 @@ use implicit_statics::{SymmetricSolver, linear_response};
 use super::linear::solved;
 use super::march::reference_step;
 use crate::bodies::{DynamicBody, Model, Ready, StaticBody};
-use crate::scene::{Analysis, Explicit, LevelSign, Linear};
+use crate::scene::{Analysis, Explicit, Harmonic, LevelSign, Linear};
 
 /// How long steps are timed.
 const TIMED: Duration = Duration::from_millis(300);
@@ -68,6 +68,14 @@ fn of_balance(analysis: &Analysis, body: &mut dyn StaticBody, bytes: f64) -> Est
             let sides = if wanted.sign == LevelSign::Either { 2.0 } else { 1.0 };
             return Work::of_buckling(wanted.modes.get(), sides).estimate(body, bytes);
         }
+        Analysis::Harmonic(Harmonic { modes: Some(modes), .. }) => {
+            return Work::of_shapes(modes.get()).estimate(body, bytes);
+        }
+        Analysis::Harmonic(wanted) => {
+            let count = wanted.frequencies.list().len() as f64;
+            let work = Work::of_frequencies(count, wanted.damping.is_some());
+            return Estimate { steps: Some([count; 2]), solves: None, ..work.estimate(body, bytes) };
+        }
         Analysis::Static(path) => Some(ITERATIONS.map(|each| each * path.levels.list().len() as f64)),
         // A path by arc length tells nothing beforehand; a relaxation takes no factors.
         Analysis::ArcLength(_) | Analysis::Relaxation(_) => None,
@@ -97,6 +105,27 @@ impl Work {
             tangents: [1.0; 2],
             factorisations: [2.0, 6.0],
             solves: [12.0 + 2.0 * modes, 60.0 + 12.0 * modes],
+        }
+    }
+
+    /// Modes, and the shape that stands for all others.
+    fn of_shapes(modes: usize) -> Self {
+        let Self { tangents, factorisations, solves } = Self::of_vibration(modes);
+        Self {
+            tangents: tangents.map(|count| count + 1.0),
+            factorisations: factorisations.map(|count| count + 1.0),
+            solves: solves.map(|count| count + 1.0),
+        }
+    }
+
+    /// A factor at each frequency, of both parts of the unknowns where the body is damped: eight times the multiplications, and as many again where
+    /// its pivots have to be exchanged.
+    fn of_frequencies(count: f64, damped: bool) -> Self {
+        let each = if damped { [8.0, 16.0] } else { [1.0, 2.0] };
+        Self {
+            tangents: [1.0; 2],
+            factorisations: each.map(|each| 1.0 + each * count),
+            solves: each.map(|each| 0.5 * each * count),
         }
     }
 

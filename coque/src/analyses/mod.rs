@@ -6,6 +6,7 @@ mod course;
 mod criticality;
 mod estimate;
 mod frozen;
+mod harmonic;
 mod linear;
 mod march;
 mod modes;
@@ -20,6 +21,8 @@ mod started;
 pub use estimate::Estimate;
 pub use simulation::{Event, Simulation};
 
+use implicit_statics::HarmonicDamping;
+
 use crate::bodies::{Description, Model, Resultant, TangentCost};
 use crate::fields::{FieldSink, Frames};
 use crate::results::curve::Curve;
@@ -32,7 +35,7 @@ use crate::run::progress::Progress;
 use crate::run::record::RunRecord;
 use crate::run::summary::Summary;
 use crate::scene::units::Quantity;
-use crate::scene::{Analysis, Damping};
+use crate::scene::{Analysis, BaseResponse, Damping, Harmonic};
 
 /// What a run is given beside its model.
 pub struct RunOptions<'a> {
@@ -137,12 +140,15 @@ impl Model {
 
 /// Whether shapes are those that the body takes, not enlarged for the eye.
 fn true_to_scale(analysis: &Analysis) -> bool {
-    !matches!(analysis, Analysis::Linear(_)) && !analysis.kind().gives_modes
+    !matches!(analysis, Analysis::Linear(_) | Analysis::Harmonic(_)) && !analysis.kind().gives_modes
 }
 
 /// What an analysis adds to what a body models and leaves out.
 fn with_analysis(analysis: &Analysis, tangent: TangentCost) -> (Vec<String>, Vec<String>) {
     let none = || "damping".to_string();
+    if let Analysis::Harmonic(wanted) = analysis {
+        return of_vibration(wanted);
+    }
     let Analysis::Explicit(explicit) = analysis else {
         let inertia = (!matches!(analysis, Analysis::Modal(_))).then(|| "inertia".to_string());
         let large = matches!(analysis, Analysis::Linear(_)).then(|| "large displacements".to_string());
@@ -163,4 +169,26 @@ fn with_analysis(analysis: &Analysis, tangent: TangentCost) -> (Vec<String>, Vec
         left_out.push(none());
     }
     (damping.into_iter().collect(), left_out)
+}
+
+/// What a steady vibration adds.
+fn of_vibration(wanted: &Harmonic) -> (Vec<String>, Vec<String>) {
+    let damping = match wanted.damped() {
+        HarmonicDamping::None => None,
+        HarmonicDamping::Ratio(ratio) => Some(format!("damping of {ratio} of the critical one in each mode")),
+        HarmonicDamping::Rayleigh { mass, stiffness } => Some(format!(
+            "damping by mass, {mass} per unit of time, and by stiffness, {stiffness} units of time"
+        )),
+        HarmonicDamping::Structural(loss) => Some(format!("structural damping, loss factor {loss}")),
+    };
+    let shaken = wanted.base.map(|base| {
+        let to = match base.response {
+            BaseResponse::Relative => "to the base",
+            BaseResponse::Absolute => "to space",
+        };
+        format!("acceleration of all that holds the body, displacements with respect {to}")
+    });
+    let mut left_out = vec!["large displacements".to_string()];
+    left_out.extend(damping.is_none().then(|| "damping".to_string()));
+    (damping.into_iter().chain(shaken).collect(), left_out)
 }

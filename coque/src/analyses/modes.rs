@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    BucklingMode, BucklingOptions, Counted, Effort, EquilibriumError, Prebuckling, Sign, Spectrum,
+    BucklingMode, BucklingOptions, Counted, Effort, EquilibriumError, Mode, Prebuckling, Sign, Spectrum,
     linear_buckling, natural_modes,
 };
 use sph_core::Vec3;
@@ -36,31 +36,11 @@ const MOVED: f64 = 0.05;
 
 /// Finds the lowest modes of vibration.
 pub(crate) fn modal(count: usize, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
-    run.record.stable_step = system.stable_step();
-    freeze_contact(system, run);
-    if run.record.preload.is_some() {
-        run.record.warnings.extend(system.doubtful_modes(count));
-    }
-    let fastest = 2.0 / run.record.stable_step;
-    let mut watch = watch(run);
-    let mut spectrum = natural_modes(system, 0.0, count, 0.0, &mut watch);
-    let floats =
-        matches!(spectrum, Err(EquilibriumError::Mechanism { .. } | EquilibriumError::Singular { .. }));
-    if floats {
-        for shift in SHIFTS {
-            spectrum = natural_modes(system, 0.0, count, -shift * fastest * fastest, &mut watch);
-            if !matches!(spectrum, Err(EquilibriumError::Modes { .. })) {
-                break;
-            }
-        }
-    }
-    drop(watch);
-    let modes = match taken(spectrum, count, "frequencies squared", run) {
-        Ok(modes) => modes,
+    let Vibration { modes, unstable, .. } = match vibration(count, system, run) {
+        Ok(found) => found,
         Err(ended) => return *ended,
     };
-    let unstable = below_zero(modes.iter().map(|mode| mode.eigenvalue), fastest);
-    if unstable > 0 && !floats {
+    if unstable > 0 {
         let message = format!(
             "the state that vibrates is not stable: of the modes found {unstable} have a square of the frequency below zero, least {:.3e}, and \
              stand in the curve with the frequency 0; lower the stress or the preload, or look for the critical one with [analysis.buckling]",
@@ -80,6 +60,49 @@ pub(crate) fn modal(count: usize, system: &mut dyn StaticBody, run: &mut Run<'_>
         }
     }
     Ended::Done
+}
+
+/// The lowest modes of vibration about a state.
+pub(super) struct Vibration {
+    pub modes: Vec<Mode>,
+    /// The shift about which they were found \[1/T²\]: zero, or below where rigid motions are free.
+    pub shift: f64,
+    /// How many have a square of the frequency below zero, where all rigid motions are held.
+    pub unstable: usize,
+}
+
+/// The lowest modes of vibration about the present state.
+///
+/// # Errors
+/// How the run ends where they are not found.
+pub(super) fn vibration(
+    count: usize,
+    system: &mut dyn StaticBody,
+    run: &mut Run<'_>,
+) -> Result<Vibration, Box<Ended>> {
+    run.record.stable_step = system.stable_step();
+    freeze_contact(system, run);
+    if run.record.preload.is_some() {
+        run.record.warnings.extend(system.doubtful_modes(count));
+    }
+    let fastest = 2.0 / run.record.stable_step;
+    let (mut watch, mut shift) = (watch(run), 0.0);
+    let mut spectrum = natural_modes(system, 0.0, count, 0.0, &mut watch);
+    let floats =
+        matches!(spectrum, Err(EquilibriumError::Mechanism { .. } | EquilibriumError::Singular { .. }));
+    if floats {
+        for below in SHIFTS {
+            shift = -below * fastest * fastest;
+            spectrum = natural_modes(system, 0.0, count, shift, &mut watch);
+            if !matches!(spectrum, Err(EquilibriumError::Modes { .. })) {
+                break;
+            }
+        }
+    }
+    drop(watch);
+    let modes = taken(spectrum, count, "frequencies squared", run)?;
+    let unstable = if floats { 0 } else { below_zero(modes.iter().map(|mode| mode.eigenvalue), fastest) };
+    Ok(Vibration { modes, shift, unstable })
 }
 
 /// Freezes what touches as the preload left it, and notes what that is.
@@ -162,7 +185,7 @@ fn changed_shape(mode: &BucklingMode, kind: Prebuckling, reach: f64) -> Option<S
 }
 
 /// Asks the progress between two solves whether to go on.
-fn watch<'a>(run: &'a mut Run<'_>) -> impl FnMut(&Effort) -> ControlFlow<()> + 'a {
+pub(super) fn watch<'a>(run: &'a mut Run<'_>) -> impl FnMut(&Effort) -> ControlFlow<()> + 'a {
     |effort| run.update(&ProgressReport { steps: effort.solves as u64, ..ProgressReport::default() })
 }
 
@@ -201,7 +224,12 @@ fn taken<M>(
 }
 
 /// Counts a mode, keeps its shape about the state that vibrates or buckles and offers it as a frame, scaled for the eye.
-fn keep(system: &mut dyn StaticBody, mode: &[f64], level: f64, run: &mut Run<'_>) -> ControlFlow<()> {
+pub(super) fn keep(
+    system: &mut dyn StaticBody,
+    mode: &[f64],
+    level: f64,
+    run: &mut Run<'_>,
+) -> ControlFlow<()> {
     let rest = system.save();
     let start = system.configuration().present;
     system.update(mode);

@@ -27,7 +27,7 @@ use crate::run::outcome::{Ended, Failure, Outcome};
 /// |---|---|
 /// | `explicit` | a step (two where one of them shows the period), and a record of the state before one |
 /// | `static`, `relaxation` | a level found; the first has the row of the start as well |
-/// | `linear`, `arc-length`, `modal`, `buckling` | all of it at once |
+/// | `linear`, `arc-length`, `modal`, `harmonic`, `buckling` | all of it at once |
 ///
 /// A preload is an event of its own. Wall time is counted from the beginning, with what the caller does in between.
 ///

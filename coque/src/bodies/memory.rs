@@ -3,7 +3,7 @@
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::{
-    Analysis, BodyScene, Formulation, Geometry, Linear, LinearSolver, Reach, ShellScene, SolidScene,
+    Analysis, BodyScene, Formulation, Geometry, Harmonic, Linear, LinearSolver, Reach, ShellScene, SolidScene,
 };
 
 /// Memory for the program itself, its stacks and its results \[bytes\].
@@ -19,6 +19,9 @@ const DISORDER: f64 = 200.0;
 /// 3·10³ and 9·10³ particles; and where kernels couple them: 9100 on 3·10³.
 const FACTOR: f64 = 1000.0;
 const KERNEL_FACTOR: f64 = 9100.0;
+
+/// Entries of a factor of both parts of each unknown over those of one.
+const BOTH_PARTS: f64 = 4.0;
 
 /// A tangent and the levels of multigrid on it, a particle \[bytes\]: see docs/performance.md; and where kernels couple them.
 const MULTIGRID: f64 = 9000.0;
@@ -133,6 +136,9 @@ pub(crate) fn memory(analysis: &Analysis, body: &BodyScene, particles: f64) -> f
     let solver = match analysis {
         Analysis::Explicit(_) => 0.0,
         Analysis::Linear(Linear { solver: LinearSolver::ConjugateGradients, .. }) => multigrid,
+        Analysis::Harmonic(Harmonic { modes: None, damping: Some(_), .. }) => {
+            BOTH_PARTS * factor * libm::log2(particles.max(2.0))
+        }
         _ => factor * libm::log2(particles.max(2.0)),
     };
     PROGRAM + particles * (each + solver)

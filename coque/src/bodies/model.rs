@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use explicit_dynamics::Exert;
-use sph_core::Cell;
+use sph_core::{Cell, Vec3};
 
 use super::body::{Description, PrescribedPoint, Ready, Shape};
 use super::contacts_of_scene::ContactsOfScene;
@@ -15,7 +15,7 @@ use crate::Warning;
 use crate::ranks::Ranks;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Analysis, Checked, Output, Scene};
+use crate::scene::{Analysis, Checked, Harmonic, Output, Scene, phase_of};
 
 /// What is asked of a body, whatever it is made of.
 #[derive(Clone, Debug)]
@@ -35,7 +35,13 @@ impl Task {
     pub fn of(scene: &Scene) -> Self {
         let Scene { title, units, analysis, output, .. } = scene;
         let units = Units { by_depth: scene.is_by_depth(), ..*units };
-        Self { title: title.clone(), units, analysis: analysis.clone(), output: output.clone() }
+        let mut analysis = analysis.clone();
+        // What shakes a shell turns with its conditions.
+        let turn = scene.as_shell().and_then(|shell| shell.orientation);
+        if let (Analysis::Harmonic(Harmonic { base: Some(base), .. }), Some(turn)) = (&mut analysis, turn) {
+            base.acceleration = (turn.rotation() * Vec3::from(base.acceleration)).into();
+        }
+        Self { title: title.clone(), units, analysis, output: output.clone() }
     }
 }
 
@@ -198,7 +204,10 @@ impl Model {
         let unit = |name: &str| units.symbol(quantity(name));
         let kind = analysis.kind();
         let always = analysis.columns().map(|name| Column { name: name.into(), unit: unit(name) });
-        let own = self.probes.iter().filter(|_| !kind.gives_modes).flat_map(|probe| probe.columns(units));
+        let swings = matches!(analysis, Analysis::Harmonic(_));
+        let phase = |name: &str| Column { name: phase_of(name), unit: units.symbol(Quantity::Angle) };
+        let own = self.probes.iter().filter(|_| !kind.gives_modes);
+        let own = own.flat_map(|probe| probe.columns(units).chain(swings.then(|| phase(&probe.name))));
         always.chain(own).collect()
     }
 }

@@ -3,7 +3,7 @@
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::source::Source;
-use crate::scene::{Analysis, BodyScene, Scene};
+use crate::scene::{Analysis, BodyScene, Harmonic, Scene};
 
 /// Refusal of a body of another kind than a program asks for.
 pub(super) fn not_a(scene: &BodyInScene<'_>, wanted: &str) -> SceneError {
@@ -28,6 +28,7 @@ pub(super) fn refuse_dof(scene: &BodyInScene<'_>, dofs: usize) -> Result<(), Sce
 pub(super) fn refuse_modes(scene: &Scene, dofs: usize) -> Result<(), SceneError> {
     let (path, modes) = match &scene.analysis {
         Analysis::Modal(wanted) => ("analysis.modal.modes", wanted.modes),
+        Analysis::Harmonic(Harmonic { modes: Some(modes), .. }) => ("analysis.harmonic.modes", *modes),
         Analysis::Buckling(wanted) => ("analysis.buckling.modes", wanted.modes),
         _ => return Ok(()),
     };

@@ -46,6 +46,7 @@ const EXAMPLES: [Example; 93] = [
     Example::new("block-on-flat", 0.1, include_str!("../../../scenes/block-on-flat.toml")),
     Example::new("block-on-incline", 0.1, include_str!("../../../scenes/block-on-incline.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
+    Example::new("cantilever-shaken", 1.0, include_str!("../../../scenes/cantilever-shaken.toml")),
     Example::new("cantilever-on-flat", 1.0, include_str!("../../../scenes/cantilever-on-flat.toml")),
     Example::new("cantilever-solid", 1.0, include_str!("../../../scenes/cantilever-solid.toml")),
     Example::new("capstan", 10.0, include_str!("../../../scenes/capstan.toml")),

@@ -11,7 +11,7 @@ use super::checkpoint::{CHECKPOINT, CHECKPOINT_ROWS, SCENE_COPY};
 use super::outcome::Outcome;
 use crate::bodies::Task;
 use crate::fields::{FieldFiles, SETS};
-use crate::results::plot::plot_svg;
+use crate::results::plot::{Scales, plot_scaled};
 
 const CURVE: &str = ResultFolder::CURVE;
 const SUMMARY: &str = ResultFolder::SUMMARY;
@@ -152,7 +152,9 @@ impl ResultFolder {
         );
         // A plot of what probes measure has no place among modes.
         if let Some(plot) = task.output.plot.as_ref().filter(|_| !task.analysis.kind().gives_modes) {
-            let drawn = plot_svg(&curve, &plot.x, &plot.y, &task.title, &self.path.join(PICTURE));
+            let scales = Scales { log_x: plot.log_x, log_y: plot.log_y };
+            let file = self.path.join(PICTURE);
+            let drawn = plot_scaled(&curve, [&plot.x, &plot.y], scales, &task.title, &file);
             if let Err(error) = drawn {
                 refused.push_str(&format!("{error}\n"));
             }

@@ -116,11 +116,11 @@ const ROWS: &[Row] = &[
         },
     ),
     (
-        &["harmonic", "frequency_response", "steady_state", "response_spectrum", "spectrum", "random", "psd"],
+        &["response_spectrum", "spectrum", "random", "psd"],
         &["analysis"],
         NotYet {
-            feature: "answers in frequency",
-            nearest: "[analysis.modal], or [analysis.explicit.transient] with `amplitude = { sine = { period = … } }`",
+            feature: "answers to a spectrum or to noise",
+            nearest: "[analysis.harmonic] with `base` at the frequencies of the modes, or [analysis.explicit.transient]",
         },
     ),
     (
@@ -217,6 +217,11 @@ const ROWS: &[Row] = &[
     ),
     (&["nu", "v"], &["elastic"], Instead("Poisson's ratio is `poisson`")),
     (&["rho"], &["elastic", "orthotropic", "liquid"], Instead("mass by volume is `density`")),
+    (
+        &["frequency_response", "steady_state", "frf"],
+        &["analysis"],
+        Instead("steady vibration is [analysis.harmonic]"),
+    ),
     (
         &["eigen", "frequency", "frequencies", "vibration", "natural_frequencies"],
         &["analysis"],

@@ -4,6 +4,7 @@ pub use explicit_dynamics::Damping;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::harmonic::Harmonic;
 use super::levels::Levels;
 use super::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static};
 use crate::scene::bounded::{Missing, NotNegative, Positive, Rest, Safety};
@@ -24,6 +25,8 @@ pub enum Analysis {
     Relaxation(Relaxation),
     /// Modes of free vibration of the unloaded or the preloaded shell.
     Modal(Modal),
+    /// Steady vibration under loads that go as cos ωt.
+    Harmonic(Harmonic),
     /// Buckling levels and modes, linearised about the unloaded or the preloaded shell.
     Buckling(Buckling),
 }

@@ -54,6 +54,10 @@ const BALANCED: &[&str] = &["level", "internal", "iterations", "negative_pivots"
 const ONE_SOLVE: &[&str] =
     &["level", "internal", "iterations", "negative_pivots", "unbalanced", "remaining_displacement"];
 
+/// Columns of steady vibration: mean energies, and energies of a cycle.
+const SWINGING: &[&str] =
+    &["frequency", "circular_frequency", "internal", "kinetic", "external", "dissipated"];
+
 /// What most analyses without time are.
 const LEVELLED: AnalysisKind = AnalysisKind {
     word: "",
@@ -82,7 +86,7 @@ const MARCH: AnalysisKind = AnalysisKind {
 };
 
 /// All analyses.
-pub const ANALYSES: [AnalysisKind; 8] = [
+pub const ANALYSES: [AnalysisKind; 9] = [
     AnalysisKind { word: "explicit.quasi-static", name: "a quasi-static run", ..MARCH },
     AnalysisKind {
         word: "explicit.transient",
@@ -129,6 +133,16 @@ pub const ANALYSES: [AnalysisKind; 8] = [
         ..LEVELLED
     },
     AnalysisKind {
+        word: "harmonic",
+        name: "a harmonic analysis",
+        columns: SWINGING,
+        floats: true,
+        wants_driver: false,
+        seeks_force: false,
+        preloads: true,
+        ..LEVELLED
+    },
+    AnalysisKind {
         word: "buckling",
         name: "a buckling analysis",
         columns: &["mode", "level", "residual"],
@@ -153,7 +167,8 @@ const WITHOUT_ITERATIONS: AnalysisKind = AnalysisKind {
 impl Analysis {
     /// The kind of the analysis.
     pub fn kind(&self) -> &'static AnalysisKind {
-        let [quasi_static, transient, linear, levels, arc_length, relaxation, modal, buckling] = &ANALYSES;
+        let [quasi_static, transient, linear, levels, arc_length, relaxation, modal, harmonic, buckling] =
+            &ANALYSES;
         match self {
             Self::Explicit(explicit) if explicit.quasi_static.is_some() => quasi_static,
             Self::Explicit(_) => transient,
@@ -163,6 +178,7 @@ impl Analysis {
             Self::ArcLength(_) => arc_length,
             Self::Relaxation(_) => relaxation,
             Self::Modal(_) => modal,
+            Self::Harmonic(_) => harmonic,
             Self::Buckling(_) => buckling,
         }
     }

@@ -317,6 +317,12 @@ bounds! {
     Steps: usize, Range::Within(1.0, 1e6), "a few hundred are usual";
     /// Modes, which are found together and kept whole.
     Modes: usize, Range::Within(1.0, 1000.0), "the lowest few modes are usual";
+    /// Frequencies of a range.
+    Points: usize, Range::Within(2.0, 1e6), "a few hundred are usual";
+    /// Part of the critical damping \[–\].
+    DampingRatio: f64, Range::Between(0.0, 1.0), "0.01 to 0.05 are usual; leave `damping` out for none";
+    /// Energy lost in a cycle over 2π times the greatest that is stored \[–\].
+    LossFactor: f64, Range::Between(0.0, 2.0), "0.01 to 0.1 are usual; leave `damping` out for none";
     /// Gauss points along an edge of a cell.
     GaussPoints: usize, Range::Within(1.0, 4.0), "3 is usual";
     /// Gauss points through a thickness.

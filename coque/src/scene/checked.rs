@@ -62,6 +62,7 @@ impl Scene {
         check(&self)?;
         let mut scene = self;
         scene.touch_walls();
+        scene.shake_base();
         Ok(Checked { scene })
     }
 }

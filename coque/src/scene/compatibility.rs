@@ -133,6 +133,7 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
         "static" | "relaxation" => "levels = 1",
         "arc-length" => "until = 1",
         "modal" | "buckling" => "modes = 1",
+        "harmonic" => "frequencies = [1.0], damping.structural = 0.1",
         _ => "",
     };
     let galerkin = name.ends_with("of a Galerkin solid");

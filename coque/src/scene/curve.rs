@@ -331,6 +331,11 @@ pub(crate) fn mean_of(column: &str) -> String {
     format!("{column}_mean")
 }
 
+/// The name of the column that has the phase of one.
+pub(crate) fn phase_of(column: &str) -> String {
+    format!("{column}_phase")
+}
+
 fn one() -> f64 {
     1.0
 }

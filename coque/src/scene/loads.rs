@@ -34,6 +34,9 @@ pub struct Load {
     /// Whether it is applied in full before the analysis and held: the level counts the other loads.
     #[serde(default)]
     pub preload: bool,
+    /// Whether it stands for what shakes the supports in axes that go with them; no scene writes it.
+    #[serde(skip)]
+    pub(crate) of_base: bool,
 }
 
 /// Dead force shared by the set: by tributary length on an edge, of a solid by volume, by area where that is asked for, else
@@ -166,6 +169,23 @@ impl Load {
     /// Keys of the kinds.
     pub const WORDS: [&'static str; 7] =
         ["force", "couple", "pressure", "gas", "volume", "gravity", "traction"];
+
+    /// What a shaken base does to all of a body.
+    pub(super) fn weight_of_base(gravity: Gravity) -> Self {
+        Self {
+            on: "all".into(),
+            force: None,
+            couple: None,
+            pressure: None,
+            gas: None,
+            volume: None,
+            gravity: Some(gravity),
+            traction: None,
+            amplitude: None,
+            preload: false,
+            of_base: true,
+        }
+    }
 
     /// Whether it acts on the cells of its set, of a shell: its particles do not say on which area. Pressure and gravity on all
     /// of a shell ask for no set.

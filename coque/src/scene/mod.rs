@@ -20,6 +20,7 @@ pub(crate) mod fluid;
 mod forms;
 mod glue;
 pub(crate) mod glued;
+mod harmonic;
 mod imperfection;
 mod includes;
 pub(crate) mod joints;
@@ -39,6 +40,7 @@ mod rigid;
 pub(crate) mod schema;
 pub(crate) mod scope;
 pub(crate) mod sets;
+mod shaken_base;
 mod shell;
 pub(crate) mod solid;
 pub(crate) mod source;
@@ -56,13 +58,17 @@ pub use analysis_kind::{ANALYSES, AnalysisKind, Contacts};
 pub use checked::Checked;
 pub use contact::ContactScene;
 pub use coupling::{Coupling, CouplingOrder};
-pub(crate) use curve::mean_of;
 pub use curve::{Measured, Probe, ShellFace, Take, Through};
+pub(crate) use curve::{mean_of, phase_of};
 pub use explicit_dynamics::Amplitude;
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
 pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};
 pub use fluid::{FluidMaterial, FluidScene, Liquid};
 pub use glue::GlueScene;
+pub use harmonic::{
+    BaseResponse, Frequencies, FrequencyRange, FrequencySpacing, Harmonic, RayleighDamping, ShakenBase,
+    VibrationDamping,
+};
 pub use imperfection::Imperfection;
 pub use levels::Levels;
 pub use loads::{Axis, Couple, Force, Gas, Gravity, Load, LoadKind, Pressure, Traction, Volume};

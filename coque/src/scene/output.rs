@@ -83,6 +83,12 @@ pub struct Plot {
     pub x: String,
     /// Column along the vertical axis.
     pub y: String,
+    /// Whether the horizontal axis goes by powers of ten; values that are not above zero are left out.
+    #[serde(default)]
+    pub log_x: bool,
+    /// The same of the vertical axis.
+    #[serde(default)]
+    pub log_y: bool,
 }
 
 impl ErrorProbe {

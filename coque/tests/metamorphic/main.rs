@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 47] = [
+const SCENES: [(&str, Replaced); 49] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -35,6 +35,8 @@ const SCENES: [(&str, Replaced); 47] = [
     ("ring-pressure.toml", &[]),
     ("column-buckling.toml", &[]),
     ("tensioned-plate.toml", &[]),
+    ("cantilever-shaken.toml", &SHAKEN),
+    ("cantilever-shaken.toml", &SHAKEN_DIRECTLY),
     ("ring.toml", &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")]),
     ("strip-over-drum.toml", &[("analysis.static.levels", "4"), ("geometry.plate.particles", "[26, 3]")]),
     ("ring-between-plates.toml", &[("analysis.static.levels", "[0.1, 0.25]")]),
@@ -76,6 +78,20 @@ const SCENES: [(&str, Replaced); 47] = [
     ("bar-bonds-yielding.toml", &DRAWN),
     ("plate-pd.toml", &[("analysis", "{ static = { levels = [0.02, 0.04] } }")]),
     ("../coque/tests/metamorphic/bar.toml", &[("analysis", "{ static = { levels = 3 } }")]),
+];
+
+/// Between the modes, in a direction of no axis, seen from space.
+const SHAKEN: [(&str, &str); 3] = [
+    ("geometry.plate.particles", "[21, 3]"),
+    ("analysis.harmonic.frequencies", "[5.0, 15.0, 50.0, 120.0]"),
+    ("analysis.harmonic.base", "{ acceleration = [0.1, 0.5, 1.0], response = \"absolute\" }"),
+];
+const SHAKEN_DIRECTLY: [(&str, &str); 2] = [
+    ("geometry.plate.particles", "[21, 3]"),
+    (
+        "analysis",
+        "{ harmonic = { frequencies = [5.0, 15.0, 120.0], damping.rayleigh = { mass = 4.0, stiffness = 1e-5 }, base.acceleration = [0.1, 0.5, 1.0] } }",
+    ),
 ];
 
 const LAP: [(&str, &str); 3] = [

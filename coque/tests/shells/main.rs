@@ -15,6 +15,7 @@ mod branches;
 mod buckling;
 mod conjugate_gradients;
 mod enclosed;
+mod harmonic;
 mod imperfection;
 mod initial_stress;
 mod layered;

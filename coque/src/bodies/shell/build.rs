@@ -162,12 +162,7 @@ pub(super) fn assemble(
 }
 
 fn turn(scene: &ShellInScene<'_>) -> Rotation3<f64> {
-    scene.shell.orientation.map_or_else(Rotation3::identity, |turn| {
-        // libm: the same bits on every machine.
-        let (sin, cos) = libm::sincos(turn.degrees.to_radians());
-        let k = Vec3::from(turn.axis).normalize().cross_matrix();
-        Rotation3::from_matrix_unchecked(nalgebra::Matrix3::identity() + k * sin + k * k * (1.0 - cos))
-    })
+    scene.shell.orientation.map_or_else(Rotation3::identity, |turn| turn.rotation())
 }
 
 /// A shell with what its curve measures.

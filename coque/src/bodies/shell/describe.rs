@@ -8,7 +8,9 @@ use sph_shell::Shell;
 use super::imported::Provenance;
 use crate::bodies::{Description, LoadResultants, Resultant, TangentCost};
 use crate::scene::body_in_scene::ShellInScene;
-use crate::scene::{Axis, Formulation, Layered, LoadKind, Material, Ply, Reach, Section, ToolScene};
+use crate::scene::{
+    Analysis, Axis, Formulation, Layered, LoadKind, Material, Ply, Reach, Section, ToolScene,
+};
 
 /// Steps in whose time a tangent of cells is assembled and factorised: so many, and so many times the root of the number
 /// of degrees of freedom n (a step takes a time that grows as n, a factor on a surface as n^1.5). Measured on lattices of
@@ -168,6 +170,8 @@ fn lists(
     if scene.output.fields.is_some_and(|fields| fields.stresses) {
         if scene.analysis.kind().gives_modes {
             left_out.push("stresses of modes, which have a shape but no size".into());
+        } else if matches!(scene.analysis, Analysis::Harmonic(_)) {
+            left_out.push("stresses in the frames of peaks: columns have them".into());
         } else if !scene.shell.section.homogeneous() {
             left_out.push("stresses of the plies: the fields hold resultants".into());
         }

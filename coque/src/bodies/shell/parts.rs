@@ -220,7 +220,10 @@ impl Builder<'_> {
         for cells in of_sections.into_values() {
             let Some((_, given, material)) = found(cells[0]) else { continue };
             let weighs = self.scene.loads.iter().any(|load| load.gravity.is_some());
-            let needed = weighs || matches!(self.scene.analysis, Analysis::Explicit(_) | Analysis::Modal(_));
+            let swings = |analysis: &Analysis| {
+                matches!(analysis, Analysis::Explicit(_) | Analysis::Modal(_) | Analysis::Harmonic(_))
+            };
+            let needed = weighs || swings(self.scene.analysis);
             let (moduli, density) = match (elastic, material.elastic) {
                 (Some(own), _) => ([own.young.get(), own.poisson], own.density.get()),
                 (None, None) => {

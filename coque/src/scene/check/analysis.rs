@@ -1,5 +1,6 @@
 //! Checks of the analysis that need no particles.
 
+use super::harmonic::check_harmonic;
 use crate::scene::analysis::{Analysis, Damping, Explicit};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
@@ -27,6 +28,7 @@ pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
         Analysis::Relaxation(Relaxation { levels, .. }) => {
             check_levels(scene, "analysis.relaxation.levels", levels)?;
         }
+        Analysis::Harmonic(wanted) => check_harmonic(scene, wanted)?,
         Analysis::Modal(_) | Analysis::Buckling(_) => {}
     }
     let kind = scene.analysis.kind();

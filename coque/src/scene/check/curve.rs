@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::gauges::check_gauge;
+use super::harmonic::phases;
 use super::sets::{check_set_name, only_on};
+use crate::scene::analysis::Analysis;
 use crate::scene::analysis_kind::Contacts;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::column_unit::ColumnUnit;
@@ -56,13 +58,18 @@ fn check_measured(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
         let (value, repair) = (format!("\"{}\"", probe.on), "use on = \"NAME.all\", or a side");
         return Err(SceneError::Set(s.fault(&probe.at("on"), &value, &bound, repair)));
     }
-    if probe.of == Measured::Velocity && !scene.analysis.kind().passes_time {
+    if probe.of == Measured::Velocity && !has_velocity(scene.analysis) {
         let bound = format!("no velocity in {}", scene.analysis.kind().name);
         return refuse("of", "\"velocity\"", &bound, "use [analysis.explicit.transient]");
     }
     check_enclosed(scene, probe)?;
     check_face_of_stress(scene, probe)?;
     check_measured_alike(scene.body, s, probe)
+}
+
+/// Whether particles have a velocity in it.
+fn has_velocity(analysis: &Analysis) -> bool {
+    analysis.kind().passes_time || matches!(analysis, Analysis::Harmonic(_))
 }
 
 /// What is enclosed is measured on the set of its load.
@@ -242,7 +249,9 @@ fn rubs(scene: &BodyInScene<'_>) -> bool {
 
 pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
     let s = &scene.scope();
-    let mut names: BTreeSet<&str> = scene.analysis.columns().collect();
+    let phases = phases(scene);
+    let mut names: BTreeSet<&str> =
+        scene.analysis.columns().chain(phases.iter().map(String::as_str)).collect();
     for probe in &scene.curve {
         check_column_name(s, &probe.at("name"), &probe.name, &mut names)?;
         check_set_name(scene, &probe.at("on"), probe.on)?;

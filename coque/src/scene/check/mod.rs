@@ -9,6 +9,7 @@ mod enclosed;
 mod fluid;
 mod gauges;
 mod glue;
+mod harmonic;
 mod imperfection;
 mod made;
 mod preload;

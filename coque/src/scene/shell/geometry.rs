@@ -1,7 +1,9 @@
 //! Shapes of the mid-surface, how particles are placed on them, orientation.
 
+use nalgebra::Rotation3;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use sph_core::Vec3;
 
 use super::mesh::Mesh;
 use crate::scene::bounded::{Angle, Displaced, Grading, Polar, Positive};
@@ -128,6 +130,16 @@ pub struct Orientation {
     pub axis: [f64; 3],
     /// Angle \[degrees\].
     pub degrees: Angle,
+}
+
+impl Orientation {
+    /// The rotation.
+    pub fn rotation(&self) -> Rotation3<f64> {
+        // libm: the same bits on every machine.
+        let (sin, cos) = libm::sincos(self.degrees.to_radians());
+        let k = Vec3::from(self.axis).normalize().cross_matrix();
+        Rotation3::from_matrix_unchecked(nalgebra::Matrix3::identity() + k * sin + k * k * (1.0 - cos))
+    }
 }
 
 /// Where a shape stands: its origin and the directions to which its x and y axes are turned.

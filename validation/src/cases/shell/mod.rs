@@ -3,6 +3,7 @@
 mod bracket;
 mod buckling;
 mod cantilever_end_shear;
+mod cantilever_shaken;
 mod clamped_cap;
 mod external_pressure;
 mod heavy_end;
@@ -52,7 +53,15 @@ pub fn all() -> Vec<Case> {
     ));
     cases.extend(family(
         "Frames and sections",
-        [junctions::case(), i_beams::case(), hook::case(), tubes::case(), bracket::case(), heavy_end::case()],
+        [
+            junctions::case(),
+            i_beams::case(),
+            hook::case(),
+            tubes::case(),
+            bracket::case(),
+            heavy_end::case(),
+            cantilever_shaken::case(),
+        ],
     ));
     cases.extend(family(
         "Plates",

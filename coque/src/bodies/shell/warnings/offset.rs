@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::scene::Analysis;
+use crate::scene::bounded::Modes;
 
 use super::look::Look;
 
@@ -38,6 +39,7 @@ pub(super) fn scaled(look: &Look<'_>) -> Option<String> {
 pub(super) fn inertia(look: &Look<'_>) -> Option<String> {
     let modes = match &look.scene?.analysis {
         Analysis::Modal(modal) => modal.modes.get(),
+        Analysis::Harmonic(wanted) => wanted.modes.map_or(1, Modes::get),
         Analysis::Explicit(_) => 1,
         _ => return None,
     };

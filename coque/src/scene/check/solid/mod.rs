@@ -48,7 +48,9 @@ pub(super) fn check_solid(scene: &BodyInScene<'_>, solid: &SolidScene) -> Verdic
     {
         check_yielding_bonds(scene, solid, plastic)?;
     }
-    if solid.material.yields() && matches!(scene.analysis, Analysis::Linear(_) | Analysis::Buckling(_)) {
+    let at_rest =
+        matches!(scene.analysis, Analysis::Linear(_) | Analysis::Harmonic(_) | Analysis::Buckling(_));
+    if solid.material.yields() && at_rest {
         let bound =
             format!("none in {}, which takes the material as it is at rest", scene.analysis.kind().name);
         let repair = "use [analysis.static] or [analysis.arc-length], or [material.elastic]";
