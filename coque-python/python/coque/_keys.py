@@ -65,7 +65,7 @@ if TYPE_CHECKING:
     Disc = TypedDict("Disc", {"centre": Sequence[float], "radius": float, "spacing": float})
     Disorder = TypedDict("Disorder", {"fraction": float, "seed": int})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]
-    Elastic = TypedDict("Elastic", {"density": float, "poisson": float, "young": float, "young-values": NotRequired[str]})
+    Elastic = TypedDict("Elastic", {"density": float, "expansion": NotRequired[float], "poisson": float, "young": float, "young-values": NotRequired[str]})
     ErrorBars = TypedDict("ErrorBars", {"probes": NotRequired[Sequence["ErrorProbe"]], "sharpen": NotRequired[bool]})
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[float], "transient": NotRequired["Transient"]})
@@ -133,7 +133,7 @@ if TYPE_CHECKING:
     Linear2 = TypedDict("Linear2", {"iterations": NotRequired[int], "solver": NotRequired["LinearSolver"]})
     LinearSolver: TypeAlias = Union[Literal['direct'], Literal['conjugate-gradients']]
     Liquid = TypedDict("Liquid", {"density": float, "kinematic_viscosity": NotRequired[float], "sound_speed": float})
-    Load = TypedDict("Load", {"amplitude": NotRequired["Amplitude"], "couple": NotRequired["Couple"], "force": NotRequired["Force2"], "gas": NotRequired["Gas"], "gravity": NotRequired["Gravity"], "on": str, "preload": NotRequired[bool], "pressure": NotRequired["Pressure"], "traction": NotRequired["Traction"], "volume": NotRequired["Volume"]})
+    Load = TypedDict("Load", {"amplitude": NotRequired["Amplitude"], "couple": NotRequired["Couple"], "force": NotRequired["Force2"], "gas": NotRequired["Gas"], "gravity": NotRequired["Gravity"], "on": str, "preload": NotRequired[bool], "pressure": NotRequired["Pressure"], "temperature": NotRequired["Temperature"], "traction": NotRequired["Traction"], "volume": NotRequired["Volume"]})
     LumpedMass = TypedDict("LumpedMass", {"mass": float, "on": str})
     Material_1 = TypedDict("Material_1", {"elastic": "Elastic"})
     Material_2 = TypedDict("Material_2", {"orthotropic": "Orthotropic"})
@@ -154,7 +154,7 @@ if TYPE_CHECKING:
     OfFile: TypeAlias = Mapping[str, Any]
     OnPlane = TypedDict("OnPlane", {"normal": Sequence[float], "point": Sequence[float], "within": NotRequired[float]})
     Orientation = TypedDict("Orientation", {"axis": Sequence[float], "degrees": float})
-    Orthotropic = TypedDict("Orthotropic", {"density": float, "poisson": float, "shear": float, "shear_across": NotRequired[float], "young_across": float, "young_along": float})
+    Orthotropic = TypedDict("Orthotropic", {"density": float, "expansion": NotRequired[Sequence[float]], "poisson": float, "shear": float, "shear_across": NotRequired[float], "young_across": float, "young_along": float})
     OrthotropicSolid = TypedDict("OrthotropicSolid", {"axes": NotRequired[Sequence[Sequence[float]]], "density": float, "poisson": Sequence[float], "shear": Sequence[float], "young": Sequence[float]})
     Output = TypedDict("Output", {"checkpoint_every": NotRequired[float], "fields": NotRequired["Fields"], "plot": NotRequired["Plot"]})
     PartFormulation = TypedDict("PartFormulation", {"stress-point": NotRequired["PartStressPoint"]})
@@ -228,6 +228,7 @@ if TYPE_CHECKING:
     Symmetry = TypedDict("Symmetry", {"normal": Sequence[float]})
     Take: TypeAlias = Union[Literal['mean'], Literal['sum'], Literal['max'], Literal['min']]
     Taper = TypedDict("Taper", {"gradient": Sequence[float], "point": Sequence[float]})
+    Temperature = TypedDict("Temperature", {"change": NotRequired[float], "difference": NotRequired[float], "values": NotRequired[str]})
     ThicknessTable = TypedDict("ThicknessTable", {"column": str, "file": str})
     Through = TypedDict("Through", {"max": NotRequired[Sequence[float]], "min": NotRequired[Sequence[float]], "normal": Sequence[float], "point": Sequence[float]})
     Time: TypeAlias = Union[Literal['s'], Literal['ms'], Literal['us'], Literal['-']]

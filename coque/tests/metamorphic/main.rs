@@ -35,6 +35,8 @@ const SCENES: [(&str, Replaced); 47] = [
     ("ring-pressure.toml", &[]),
     ("column-buckling.toml", &[]),
     ("tensioned-plate.toml", &[]),
+    ("heated-plate.toml", &[]),
+    ("bimetal-strip.toml", &[]),
     ("ring.toml", &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")]),
     ("strip-over-drum.toml", &[("analysis.static.levels", "4"), ("geometry.plate.particles", "[26, 3]")]),
     ("ring-between-plates.toml", &[("analysis.static.levels", "[0.1, 0.25]")]),

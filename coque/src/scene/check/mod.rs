@@ -9,6 +9,7 @@ mod enclosed;
 mod fluid;
 mod gauges;
 mod glue;
+mod heat;
 mod imperfection;
 mod preload;
 mod rigid;
