@@ -129,6 +129,12 @@ pub trait Equilibrium {
         self.restore(&rest);
     }
 
+    /// Norm of what stresses that go with the level, those of heat, exert at a level, part by part before they cancel \[F\]. What is left of them may
+    /// be rounding, and passes for balance then; and the energy depends on the level at fixed unknowns. Zero, the default, without heat.
+    fn stress_forces(&self, _level: f64) -> f64 {
+        0.0
+    }
+
     /// Norm of the forces that bring prescribed values about \[F\], for the internal forces last evaluated: the scale of
     /// residuals where little else is loaded. Zero without prescribed values.
     fn driving_force(&self) -> f64 {

@@ -22,6 +22,9 @@ const AT_REST: f64 = 1e-8;
 /// What an iterate reached by the factor of another one leaves of the bound: corrections by its own would leave as little.
 const BY_ANOTHER: f64 = 0.1;
 
+/// Part of the forces of heat up to which a residual is the rounding of their sums.
+pub(crate) const ROUNDING: f64 = 1e-13;
+
 /// Part of what a stiff tool would press if nothing gave way that counts beside the forces of balances: rounding of places times its stiffness is less.
 const GIVES_WAY: f64 = 1e-4;
 
@@ -253,8 +256,9 @@ impl Newton {
             let asked =
                 phase.tolerance(&self.options) * scale * if before.is_some() { BY_ANOTHER } else { 1.0 };
             let at_rest = rest <= AT_REST && size > STALLED * residuals[iterations - 1];
-            let bound = if at_rest { asked.max(size) } else { asked };
-            let moved = iterations > 0 || !matches!(constraint, Constraint::Level) || size == 0.0;
+            let least = ROUNDING * system.stress_forces(level);
+            let bound = if at_rest { asked.max(size) } else { asked }.max(least);
+            let moved = iterations > 0 || !matches!(constraint, Constraint::Level) || size <= least;
             if size <= bound && moved {
                 if let Err(found) = system.within_bounds() {
                     return Err(EquilibriumError::OutOfBounds { step: self.step, level, found });

@@ -41,7 +41,7 @@ impl OneSolve {
     }
 
     /// Makes the step from one level to another and takes its end as the state that the next starts from. The norm of the forces
-    /// left out of balance, over that of the loads; where there are none, over that of the forces that prescribed values take.
+    /// left out of balance, over that of the loads; where there are none, over that of the forces that prescribed values take, or heat.
     ///
     /// # Errors
     /// Of the factor; [`EquilibriumError::Force`] where forces are no numbers, [`EquilibriumError::OutOfBounds`] where the system
@@ -54,6 +54,7 @@ impl OneSolve {
         self.steps += 1;
         self.factor(system, from)?;
         system.load_rate(from, &mut self.motion);
+        let added = self.motion.iter().fold(0.0, |sum, f| sum + f * f).sqrt();
         self.balance(system, from)?;
         for (i, motion) in self.motion.iter_mut().enumerate() {
             *motion = (to - from) * *motion + self.external[i] - self.internal[i];
@@ -65,7 +66,8 @@ impl OneSolve {
         let pairs = self.external.iter().zip(&self.internal);
         let left = pairs.fold(0.0, |sum, (a, b)| sum + (a - b) * (a - b)).sqrt();
         let load = self.external.iter().fold(0.0, |sum, f| sum + f * f).sqrt();
-        let scale = if load > 0.0 { load } else { system.driving_force() };
+        let heat = if system.stress_forces(to) > 0.0 { to.abs() * added } else { 0.0 };
+        let scale = if load > 0.0 { load } else { system.driving_force() }.max(heat);
         system.within_bounds().map_err(|found| EquilibriumError::OutOfBounds {
             step: self.steps,
             level: to,

@@ -1,5 +1,6 @@
 //! A section integrated through the thickness by Gauss points: the seam for materials without closed form.
 
+use crate::expansion::Expansion;
 use crate::pack::Pack;
 use crate::section::{
     Isotropic, IsotropicSection, MaterialError, SHEAR_CORRECTION, Section, SectionScales, linear_tangent,
@@ -87,6 +88,12 @@ impl Section for IntegratedSection {
 
     fn tangent(&self, _: &Strains) -> Matrix8 {
         linear_tangent(self)
+    }
+
+    /// In closed form: Gauss points integrate the parabola of its energy exactly.
+    fn expansion(&self) -> Option<Expansion> {
+        let stiffness = self.material.plane_stress() * (1.0 + self.material.poisson);
+        self.material.expansion.map(|own| Expansion::isotropic(stiffness, own, self.scales.thickness))
     }
 
     fn energy(&self, strains: &Strains) -> Pack {

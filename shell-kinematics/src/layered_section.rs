@@ -12,8 +12,9 @@
 //!
 //! and the strain `e + ζκ` gives `N = Ae + Bκ`, `M = Be + Dκ` with `A, B, D = Σ ∫ Q̄ (1, ζ, ζ²) dζ`.
 
+use crate::expansion::Expansion;
 use crate::pack::Pack;
-use crate::section::{Isotropic, MaterialError, Section, SectionScales, linear_tangent};
+use crate::section::{Isotropic, MaterialError, Section, SectionScales, finite_expansion, linear_tangent};
 use crate::strains::{Resultants, Strains};
 use crate::tangent::Matrix8;
 use crate::transverse_shear::{Sheared, shear_correction};
@@ -29,6 +30,7 @@ pub struct Orthotropic {
     poisson: f64,
     shear: f64,
     shear_across: f64,
+    expansion: Option<[f64; 2]>,
 }
 
 impl Orthotropic {
@@ -60,13 +62,28 @@ impl Orthotropic {
         if left.is_nan() || left <= 0.0 {
             return Err(MaterialError::MajorPoisson { value: poisson, bound: (along / across).sqrt() });
         }
-        Ok(Self { along, across, poisson, shear, shear_across })
+        Ok(Self { along, across, poisson, shear, shear_across, expansion: None })
+    }
+
+    /// The same with coefficients of thermal expansion along the fibre and across it \[1/Θ\], Θ a temperature.
+    ///
+    /// # Errors
+    /// [`MaterialError::Constant`] unless both are finite.
+    pub fn expanding(self, [along, across]: [f64; 2]) -> Result<Self, MaterialError> {
+        Ok(Self { expansion: Some([finite_expansion(along)?, finite_expansion(across)?]), ..self })
     }
 
     /// One that is the same in all directions.
     pub(crate) fn isotropic(material: &Isotropic) -> Self {
         let (young, shear) = (material.young, material.shear());
-        Self { along: young, across: young, poisson: material.poisson, shear, shear_across: shear }
+        let expansion = material.expansion.map(|own| [own; 2]);
+        Self { along: young, across: young, poisson: material.poisson, shear, shear_across: shear, expansion }
+    }
+
+    /// Strain `11, 22, 2·12` of a ply that is free, rotated by `angle` \[rad\], a degree of temperature \[1/Θ\].
+    fn free_strain(&self, angle: f64) -> Option<[f64; 3]> {
+        let (s, c) = libm::sincos(angle);
+        self.expansion.map(|[l, t]| [l * c * c + t * s * s, l * s * s + t * c * c, 2.0 * s * c * (l - t)])
     }
 
     /// As far as the transverse shear of a ply of a thickness \[L\] goes: means over all directions.
@@ -150,6 +167,7 @@ pub struct LayeredSection {
     /// Transverse shear stiffness \[F/L\].
     shear: [[f64; 2]; 2],
     scales: SectionScales,
+    expansion: Option<Expansion>,
 }
 
 impl LayeredSection {
@@ -175,6 +193,7 @@ impl LayeredSection {
         let sheared: Vec<Sheared> = plies.iter().map(|ply| ply.material.sheared(ply.thickness)).collect();
         let correction = shear_correction(&sheared);
         let mut bottom = -0.5 * thickness;
+        let mut expansion = Some(Expansion::none(thickness));
         for ply in plies {
             let (plane, across) = ply.material.rotated(ply.angle);
             let (t, middle) = (ply.thickness, bottom + 0.5 * ply.thickness);
@@ -184,6 +203,8 @@ impl LayeredSection {
                 add(matrix, &plane, moment);
             }
             add(&mut shear, &across, correction * t);
+            let free = ply.material.free_strain(ply.angle);
+            expansion = expansion.zip(free).map(|(sum, free)| sum.with_ply(&plane, free, moments));
             bottom += t;
         }
         let stiffest = plies.iter().fold(0.0_f64, |most, ply| most.max(ply.material.stiffest()));
@@ -193,7 +214,7 @@ impl LayeredSection {
             shear: 0.5 * (shear[0][0] + shear[1][1]),
             membrane: stiffest * thickness,
         };
-        Ok(Self { membrane, coupling, bending, shear, scales })
+        Ok(Self { membrane, coupling, bending, shear, scales, expansion })
     }
 }
 
@@ -261,6 +282,10 @@ impl Section for LayeredSection {
 
     fn tangent(&self, _: &Strains) -> Matrix8 {
         linear_tangent(self)
+    }
+
+    fn expansion(&self) -> Option<Expansion> {
+        self.expansion
     }
 
     fn energy(&self, strains: &Strains) -> Pack {

@@ -89,7 +89,7 @@
 //! stiffest ply in its stiffest direction, so that no wave is faster.
 //!
 //! Four sections lie side by side in a [`SectionPack`], each at its height; under resultants `N₀, M₀` where nothing is strained in a
-//! [`StressedPack`]. Four strain measures do in a [`StrainPack`].
+//! [`StressedPack`], which heat makes as well ([`Expansion`]). Four strain measures do in a [`StrainPack`].
 //!
 //! A section whose resultants depend on what its points went through has a [`Memory`], and its points a [`HistoryPack`] each four. Of
 //! sections that are not linear, or have a memory, four lie side by side in a [`MixedSection`].
@@ -212,6 +212,7 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod expansion;
 mod history_pack;
 mod inelastic;
 mod integrated_section;
@@ -233,6 +234,7 @@ mod stressed_pack;
 mod tangent;
 mod transverse_shear;
 
+pub use expansion::{Blocked, Expansion};
 pub use history_pack::{Commit, Flowed, HistoryPack, YieldingPack};
 pub use inelastic::{
     BackStress, Hardening, MOST_BACK_STRESSES, Plastic, PlasticPly, PlasticSection, PlyMaterial, RValues,

@@ -2,6 +2,7 @@
 
 use std::any::Any;
 
+use crate::expansion::Expansion;
 use crate::memory::Memory;
 use crate::pack::{Number, Pack};
 use crate::strains::{Resultants, Strains};
@@ -43,6 +44,11 @@ pub trait Section: Any + Send + Sync {
     /// Whether resultants are linear in the strains, without coupling of shear to the rest: a few numbers then stand for the section of a point.
     fn linear(&self) -> bool {
         false
+    }
+
+    /// What it does as it is heated; none where its material does not say.
+    fn expansion(&self) -> Option<Expansion> {
+        None
     }
 
     /// Its memory; none of a section that answers to strains alone. Of one with memory the formulas above are those of a point that nothing has
@@ -180,6 +186,8 @@ pub struct Isotropic {
     pub young: f64,
     /// Poisson's ratio ν \[–\].
     pub poisson: f64,
+    /// Coefficient of thermal expansion α \[1/Θ\], where it is known.
+    pub expansion: Option<f64>,
 }
 
 impl Isotropic {
@@ -194,7 +202,15 @@ impl Isotropic {
         if !(poisson > -1.0 && poisson < 0.5) {
             return Err(MaterialError::Poisson(poisson));
         }
-        Ok(Self { young, poisson })
+        Ok(Self { young, poisson, expansion: None })
+    }
+
+    /// The same with a coefficient of thermal expansion \[1/Θ\], Θ a temperature.
+    ///
+    /// # Errors
+    /// [`MaterialError::Constant`] unless it is finite.
+    pub fn expanding(self, expansion: f64) -> Result<Self, MaterialError> {
+        Ok(Self { expansion: Some(finite_expansion(expansion)?), ..self })
     }
 
     /// Plane-stress modulus `E/(1−ν²)` \[F/L²\].
@@ -208,6 +224,12 @@ impl Isotropic {
     }
 }
 
+/// A coefficient of thermal expansion, if it is a number.
+pub(crate) fn finite_expansion(value: f64) -> Result<f64, MaterialError> {
+    let (what, bound) = ("the coefficient of thermal expansion", "finite");
+    if value.is_finite() { Ok(value) } else { Err(MaterialError::Constant { what, value, bound }) }
+}
+
 /// Reissner's factor for the parabolic transverse shear stress of a homogeneous section \[–\].
 pub const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
 
@@ -219,6 +241,7 @@ pub struct IsotropicSection {
     shear: f64,
     poisson: f64,
     thickness: f64,
+    expansion: Option<f64>,
 }
 
 impl IsotropicSection {
@@ -237,6 +260,7 @@ impl IsotropicSection {
             shear: SHEAR_CORRECTION * material.shear() * thickness,
             poisson: material.poisson,
             thickness,
+            expansion: material.expansion,
         })
     }
 }
@@ -278,6 +302,11 @@ impl Section for IsotropicSection {
 
     fn tangent(&self, _: &Strains) -> Matrix8 {
         linear_tangent(self)
+    }
+
+    fn expansion(&self) -> Option<Expansion> {
+        let stiffness = self.membrane / self.thickness;
+        self.expansion.map(|own| Expansion::isotropic(stiffness * (1.0 + self.poisson), own, self.thickness))
     }
 
     fn energy(&self, strains: &Strains) -> Pack {

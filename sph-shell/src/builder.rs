@@ -13,8 +13,9 @@ use crate::conditions::stages::Stages;
 use crate::conditions::supports::Supported;
 use crate::conditions::tools::{Tool, Tools};
 use crate::dependents::Dependents;
-use crate::error::ShellError;
+use crate::error::{HeatError, ShellError};
 use crate::formulation::{Formulation, Reach};
+use crate::heat::Temperature;
 use crate::initial_stress::InitialStress;
 use crate::junction::group::Junctions;
 use crate::junction::rigid::{Bodies, RigidSet};
@@ -67,6 +68,7 @@ pub struct ShellBuilder {
     own_contact: Option<OwnContact>,
     stresses: Vec<InitialStress>,
     stress_case: LoadCase,
+    temperatures: Vec<Temperature>,
     wetting: Option<Wetting>,
 }
 
@@ -85,6 +87,7 @@ impl Shell {
             own_contact: None,
             stresses: Vec::new(),
             stress_case: LoadCase::Preload,
+            temperatures: Vec::new(),
             wetting: None,
         }
     }
@@ -147,6 +150,11 @@ impl ShellBuilder {
         Self { stress_case: LoadCase::Loading, ..self }
     }
 
+    /// Changes of temperature; those of one cell add up.
+    pub fn temperatures(self, temperatures: Vec<Temperature>) -> Self {
+        Self { temperatures, ..self }
+    }
+
     /// Lays points over the wet faces, through which a fluid acts on the shell; it acts on nothing else.
     pub fn wetted(self, wetting: Wetting) -> Self {
         Self { wetting: Some(wetting), ..self }
@@ -162,9 +170,9 @@ impl ShellBuilder {
     /// that the host does not have, ties in a circle; masses that are not positive and finite; rigid sets that meet each other, stand on one
     /// line along a normal, hold a particle that is supported, tied to a cell, or of a junction only in part; springs without a stiffness, along a
     /// director, or of one particle; tools without sense, on shells without cells or with sections over or below their particles; contact of a shell with itself where its
-    /// thickness is not one, edges are tied or it has no stiffness; what is enclosed by cells that are no surface, with rims that are free to change its volume, or without any; stresses whose axis stands on the surface; wettings out of bounds, of a shell about an origin, in a
-    /// plane problem of a shell that is no strip across the plane; and regions, ties, rigid sets, stresses and sections with memory where
-    /// strains are not sampled in cells, the last together with stresses too.
+    /// thickness is not one, edges are tied or it has no stiffness; what is enclosed by cells that are no surface, with rims that are free to change its volume, or without any; stresses whose axis stands on the surface; heat of what does not say how it expands; wettings out of bounds, of a shell about an origin, in a
+    /// plane problem of a shell that is no strip across the plane; and regions, ties, rigid sets, stresses, heat and sections with memory where
+    /// strains are not sampled in cells, the last together with stresses or heat too.
     pub fn build(self) -> Result<Shell, ShellError> {
         let Self {
             parts,
@@ -178,6 +186,7 @@ impl ShellBuilder {
             own_contact,
             stresses,
             stress_case,
+            temperatures,
             wetting,
         } = self;
         let Parts {
@@ -198,6 +207,7 @@ impl ShellBuilder {
                 (ties.is_empty(), ShellError::TieOfWideStencils),
                 (rigid.is_empty(), ShellError::RigidOfWideStencils),
                 (stresses.is_empty(), ShellError::StressOfWideStencils),
+                (temperatures.is_empty(), HeatError::WideStencils.into()),
             ];
             of_cells.into_iter().try_for_each(|(none, refusal)| if none { Ok(()) } else { Err(refusal) })?;
         }
@@ -218,9 +228,15 @@ impl ShellBuilder {
         loads.iter().try_for_each(|applied| applied.load.check(&reference))?;
         let mut constraints = Constraints::new(&reference, &supports)?;
         let section = section.into();
-        let mut material = Material { section, strain, regions, stresses: Vec::new(), stress_case };
+        let mut material =
+            Material { section, strain, regions, stresses: Vec::new(), stress_case, heat: None };
         let mut points = Points::new(&reference, &formulation, &material.scales(), density)?;
-        material.divide(&mut points, !stresses.is_empty())?;
+        let under = [
+            (!stresses.is_empty()).then_some("does not go with an initial stress; remove one of them"),
+            (!temperatures.is_empty())
+                .then_some("does not go with a change of temperature; remove one of them"),
+        ];
+        material.divide(&mut points, under.into_iter().flatten().next())?;
 
         let mut ties = Ties::new(&reference, &material, &ties)?;
         ties.hold(&reference, &mut constraints)?;
@@ -256,6 +272,7 @@ impl ShellBuilder {
         });
         let own_contact = touching.transpose()?.map(Box::new);
         material.stress(&stresses, &reference, &mut points)?;
+        material.warm(&temperatures, &reference, &mut points)?;
         let surface =
             wetting.map(|wetting| Surface::new(&reference, material.thickness(&reference), &wetting));
         let wetted = surface.transpose()?.map(Box::new);

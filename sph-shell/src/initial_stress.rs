@@ -1,4 +1,5 @@
-//! Stresses that are there before anything is strained: of welding and forming, of a membrane that was stretched into its frame.
+//! Stresses that are there before anything is strained: of welding and forming, of a membrane that was stretched into its frame; and what of them and of
+//! heat (heat.rs) is there at a level.
 //!
 //! A stress with the mean σ_m through the thickness t and a linear part, ±σ_b at the faces, has the resultants
 //!
@@ -15,6 +16,7 @@ use crate::Shell;
 use crate::conditions::case::LoadCase;
 use crate::conditions::spread::check_cells;
 use crate::error::ShellError;
+use crate::heat::Shares;
 use crate::points::results::PointResult;
 use crate::reference::Reference;
 use crate::regions::PointSection;
@@ -22,6 +24,9 @@ use crate::statics::static_shell::StaticShell;
 
 /// A direction closer to the normal than this has none in the surface.
 const ACROSS: f64 = 1e-6;
+
+/// Part of the forces of heat up to which what is left of them is rounding, where all of them cancel.
+const ROUNDING: f64 = 1e-13;
 
 /// A stress of some cells before they are strained.
 #[derive(Clone, Debug)]
@@ -107,15 +112,37 @@ impl Shell {
         (tension > 0.0).then(|| [tension / area, bending / area])
     }
 
-    /// Leaves so much of the initial stress as belongs to a level of the case that is under way.
-    pub(crate) fn put_stress(&mut self, level: f64) {
-        self.points.set_stress_share(self.material.stress_case.factor(self.loading.case, level));
+    /// Whether a temperature of some cells changes.
+    pub fn is_heated(&self) -> bool {
+        self.material.heat.is_some()
     }
 
-    /// Internal forces of all of the initial stress by itself in the present state, by rows; no state is changed.
-    pub(crate) fn forces_of_stress(&mut self, level: f64) -> Vec<[f64; 6]> {
-        let [none, all] = [0.0, 1.0].map(|share| {
-            self.points.set_stress_share(share);
+    /// Parts of initial stress and heat at a level of the case that is under way.
+    fn shares(&self, level: f64) -> Shares {
+        let part = |case: LoadCase| case.factor(self.loading.case, level);
+        let (preload, loading) = (part(LoadCase::Preload), part(LoadCase::Loading));
+        Shares { stress: part(self.material.stress_case), preload, loading }
+    }
+
+    /// Leaves so much of initial stress and heat as belongs to a level of the case that is under way.
+    pub(crate) fn put_stress(&mut self, level: f64) {
+        self.put_shares(&self.shares(level));
+    }
+
+    fn put_shares(&mut self, shares: &Shares) {
+        let Self { material, points, .. } = self;
+        match &material.heat {
+            None => points.set_stress_share(shares.stress),
+            Some(_) => points.put_stresses(|point| material.unstrained(point, shares)),
+        }
+    }
+
+    /// Internal forces of parts of initial stress and heat by themselves in the present state, by rows; no state is changed, what is there of them is
+    /// that of a level.
+    pub(crate) fn forces_of_stress(&mut self, shares: &Shares, level: f64) -> Vec<[f64; 6]> {
+        let none = Shares { stress: 0.0, preload: 0.0, loading: 0.0 };
+        let [none, all] = [&none, shares].map(|shares| {
+            self.put_shares(shares);
             self.evaluate_internal(false);
             (0..self.len()).map(|a| self.internal_force(a)).collect::<Vec<_>>()
         });
@@ -126,11 +153,12 @@ impl Shell {
         all.iter().zip(&none).map(difference).collect()
     }
 
-    /// Norm of what the initial stress exerts on all particles, cells added up by size \[F\]; couples over `arc`.
-    fn exerted(&self, arc: f64) -> f64 {
+    /// Norm of what parts of initial stress and heat exert on all particles, cells added up by size \[F\]; couples over `arc`.
+    fn exerted(&self, arc: f64, shares: &Shares) -> f64 {
         let operator = &self.reference.operator;
         let mut sums = vec![0.0; self.len()];
-        for (p, resultants) in self.material.stresses.iter().enumerate() {
+        for p in 0..operator.points.len() {
+            let (resultants, _) = self.material.unstrained(p, shares);
             let (stencil, weight) = (operator.stencil(p), operator.points[p].weight);
             let size = |of: &[f64]| of.iter().map(|value| value * value).sum::<f64>().sqrt();
             let force = weight * libm::hypot(size(&resultants[..3]), size(&resultants[3..]) / arc);
@@ -152,13 +180,47 @@ impl<S: std::ops::DerefMut<Target = Shell>> StaticShell<S> {
     ///
     /// Wants the unstrained shell as its present state, whose internal forces it evaluates.
     pub fn unbalanced_stress(&mut self) -> f64 {
-        let whole = self.shell.exerted(self.dofs.arc);
+        let stress = Shares { stress: 1.0, preload: 0.0, loading: 0.0 };
+        if !self.shell.is_stressed() {
+            return 0.0;
+        }
+        let whole = self.shell.exerted(self.dofs.arc, &stress);
         if whole == 0.0 {
             return 0.0;
         }
-        let rows = self.shell.forces_of_stress(1.0);
+        let rows = self.shell.forces_of_stress(&stress, 1.0);
         let mut left = vec![0.0; self.dofs.count()];
         self.project(|a| rows[a], &mut left);
         left.iter().map(|force| force * force).sum::<f64>().sqrt() / whole
+    }
+
+    /// Takes what a unit of level adds to the forces of initial stress and heat along the unknowns, nothing where that is rounding.
+    pub(crate) fn subtract_stress_rate(&mut self, level: f64, out: &mut [f64]) {
+        let under_way = self.shell.loading.case;
+        let part = |case: LoadCase| if case == under_way { 1.0 } else { 0.0 };
+        let heated = self.shell.is_heated();
+        let stressed = self.shell.is_stressed() && self.shell.material.stress_case == under_way;
+        if !(stressed || heated) {
+            return;
+        }
+        let stress = if stressed { 1.0 } else { 0.0 };
+        let shares = Shares { stress, preload: part(LoadCase::Preload), loading: part(LoadCase::Loading) };
+        let rows = self.shell.forces_of_stress(&shares, level);
+        let mut rate = vec![0.0; out.len()];
+        self.project(|a| rows[a], &mut rate);
+        let size = || rate.iter().map(|force| force * force).sum::<f64>().sqrt();
+        if heated && size() <= ROUNDING * self.shell.exerted(self.dofs.arc, &shares) {
+            return;
+        }
+        out.iter_mut().zip(&rate).for_each(|(sum, part)| *sum -= part);
+    }
+
+    /// Norm of what heat and what comes with it exert at a level, cells added up by size \[F\]; zero of a shell that is not heated.
+    pub(crate) fn stress_forces_at(&self, level: f64) -> f64 {
+        if self.shell.is_heated() {
+            self.shell.exerted(self.dofs.arc, &self.shell.shares(level))
+        } else {
+            0.0
+        }
     }
 }

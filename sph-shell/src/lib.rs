@@ -14,7 +14,7 @@
 //! | the registers of a processor, which copy of a sweep runs | `registers.rs`; `dispatch.rs` |
 //! | the sweep over all points, into slots | `points/sweep.rs` |
 //! | what each formulation does beside its strains | `points/scheme.rs` |
-//! | stresses of the unstrained shell | `initial_stress.rs`, [`ShellBuilder::stresses`] |
+//! | stresses of the unstrained shell; heat | `initial_stress.rs`, [`ShellBuilder::stresses`]; `heat.rs`, [`ShellBuilder::temperatures`] |
 //! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
 //! | strains and resultants, to be read; the range of the model | `points/results.rs`, [`Shell::point_results`]; `points/bounds.rs` |
 //! | zero-energy control; strains of uneven cells | `control/cells.rs`, `control/pairs.rs`; `control/arcs.rs`, `control/shear.rs` |
@@ -280,6 +280,7 @@
 //! | sections with memory: a hardening line there and back, derivatives, what is taken back and taken up, one bit for threads and parts of a step, the balance | tests/history.rs |
 //! | initial stress: derivatives, relief, rolling up, rest where edges are held, energy and bits in time | tests/initial_stress.rs |
 //! | plates and membranes under initial stress vibrate and buckle as closed forms say | tests/prestressed.rs |
+//! | heat: derivatives, free plates and strips, held plates, buckling, two plies | tests/heat.rs |
 //! | a mass at the end of a strip lowers its frequencies as it should | `a_mass_at_the_end_lowers_the_frequency` (tests/regions.rs) |
 //! | pressure and areas on cells add up; supports bear what the loads are | `patches_of_pressure_add_up_to_the_whole`, `areas_spread_over_cells_add_up_to_those_of_the_particles`, `supports_bear_what_the_loads_are` (tests/load_stiffness.rs) |
 //! | forces on wet points and on particles do the same work for any motion, and have the same sum and moment | `virtual_work_is_the_same_on_points_and_particles`, `forces_and_moments_are_kept` (tests/wetted.rs) |
@@ -300,6 +301,7 @@ mod error;
 mod even_bed;
 mod formulation;
 mod gather;
+mod heat;
 mod initial_stress;
 mod junction;
 mod loading;
@@ -352,9 +354,10 @@ pub use conditions::touched::contact_stiffness;
 pub use conditions::turn::Turn;
 pub use conditions::turned::Turned;
 pub use control::arcs::ChordLoss;
-pub use error::{EnclosedError, ShellError};
+pub use error::{EnclosedError, HeatError, ShellError};
 pub use even_bed::{EvenBed, even_bed};
 pub use formulation::{Divergence, Formulation, Reach};
+pub use heat::Temperature;
 pub use initial_stress::InitialStress;
 pub use junction::rigid::{RigidLoad, RigidSet};
 pub use points::results::{PointResult, Yielded};

@@ -1,4 +1,4 @@
-//! What a shell is made of: sections and strain measures of its cells, and the stress that is there before anything is strained.
+//! What a shell is made of: sections and strain measures of its cells, the stress that is there before anything is strained, and heat.
 
 use std::sync::Arc;
 
@@ -6,6 +6,7 @@ use shell_kinematics::{LANES, Section, SectionPack, StrainMeasure, StressedPack}
 
 use crate::conditions::case::LoadCase;
 use crate::error::ShellError;
+use crate::heat::{Heat, Shares, Temperature};
 use crate::initial_stress::{InitialStress, resultants_of};
 use crate::points::point::PointLaw;
 use crate::points::remembering::RememberingPack;
@@ -13,7 +14,7 @@ use crate::points::scheme::{Points, Scheme, Sections};
 use crate::reference::Reference;
 use crate::regions::{PointSection, Regions, Scales};
 
-/// Sections, strain measures and initial stress.
+/// Sections, strain measures, initial stress and heat.
 pub(crate) struct Material {
     /// The section, of several that of the cells in no region.
     pub section: Arc<dyn Section>,
@@ -23,6 +24,8 @@ pub(crate) struct Material {
     pub stresses: Vec<[f64; 6]>,
     /// The load case to which the initial stress belongs.
     pub stress_case: LoadCase,
+    /// Changes of temperature; none of a shell that is not heated.
+    pub heat: Option<Heat>,
 }
 
 impl Material {
@@ -95,13 +98,14 @@ impl Material {
     /// Gives each pack of points its own sections and strain measures, where there are several, or its history, where a section has a memory.
     ///
     /// # Errors
-    /// [`ShellError::OwnLaw`] for sections with a memory without cells or under an initial stress, and under one for several of which some are not linear.
-    pub fn divide(&self, points: &mut Points, stressed: bool) -> Result<(), ShellError> {
+    /// [`ShellError::OwnLaw`] for sections with a memory without cells or `under` an initial stress or heat, of which it says that it does not go with
+    /// them, and under these for several of which some are not linear.
+    pub fn divide(&self, points: &mut Points, under: Option<&'static str>) -> Result<(), ShellError> {
         let all = || std::iter::once(&self.section).chain(self.regions.sections());
         let remember = all().any(|section| section.memory().is_some());
         let mixed = self.regions.any() && !all().all(|section| section.linear());
-        if (remember || mixed) && stressed {
-            return Err(ShellError::OwnLaw("does not go with an initial stress; remove one of them"));
+        if let Some(under) = under.filter(|_| remember || mixed) {
+            return Err(ShellError::OwnLaw(under));
         }
         if remember && !matches!(points.scheme, Scheme::Cells { .. }) {
             return Err(ShellError::OwnLaw("wants strains sampled in cells; use the formulation by cells"));
@@ -141,5 +145,44 @@ impl Material {
         points.sections = Sections::Stressed(order.iter().zip(sections).map(under).collect());
         self.stresses = sums;
         Ok(())
+    }
+
+    /// Puts temperatures on the shell, all of them in full; those of one cell add up.
+    ///
+    /// # Errors
+    /// As [`Heat::new`].
+    pub fn warm(
+        &mut self,
+        temperatures: &[Temperature],
+        reference: &Reference,
+        points: &mut Points,
+    ) -> Result<(), ShellError> {
+        if temperatures.is_empty() {
+            return Ok(());
+        }
+        let section = |cell: usize| {
+            let section = self.regions.section(&self.section, cell);
+            (section.expansion(), self.at(cell).height)
+        };
+        self.heat = Some(Heat::new(temperatures, reference, section)?);
+        if !matches!(points.sections, Sections::Stressed(_)) {
+            let sections = self.regions.packs(&*self.section, &points.packs.order);
+            let unstressed = |section| StressedPack::new(section, [[0.0; 6]; LANES]);
+            points.sections = Sections::Stressed(sections.into_iter().map(unstressed).collect());
+        }
+        let all = Shares { stress: 1.0, preload: 1.0, loading: 1.0 };
+        points.put_stresses(|point| self.unstrained(point, &all));
+        Ok(())
+    }
+
+    /// Resultants of a point that is not strained under parts of initial stress and heat, `N11, N22, N12` \[F/L\] and `M11, M22, M12` \[F\] about the
+    /// particles, and what heat stores there \[F/L\].
+    pub fn unstrained(&self, point: usize, shares: &Shares) -> ([f64; 6], f64) {
+        let mut resultants = self.stresses.get(point).copied().unwrap_or_default();
+        resultants.iter_mut().for_each(|value| *value *= shares.stress);
+        let Some(heat) = &self.heat else { return (resultants, 0.0) };
+        let blocked = heat.blocked(point, shares);
+        resultants.iter_mut().zip(&blocked.resultants).for_each(|(value, held)| *value -= held);
+        (resultants, blocked.energy)
     }
 }

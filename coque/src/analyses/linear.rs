@@ -65,8 +65,8 @@ pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run
     note_glue(system, &rest, &motion, step, run);
     let [here, ahead, beyond, behind, before] = readings;
     system.restore(&rest);
-    let internal = if system.has_moving_supports() {
-        // Held values that move do work as well: the energy grows with the square of the level.
+    let internal = if system.has_moving_supports() || system.stress_forces(1.0) > 0.0 {
+        // Held values that move do work as well, and heat stores where it is held: the energy grows with the square of the level.
         let [here, ahead, beyond, behind, before] = energies;
         (16.0 * (ahead + behind) - (beyond + before) - 30.0 * here) / (24.0 * step * step)
     } else {

@@ -11,7 +11,7 @@ are those of the unloaded shell, or of the preloaded one: other loads change not
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 37] = [
+const ROWS: [(&str, &str, &str); 38] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -56,6 +56,7 @@ const ROWS: [(&str, &str, &str); 37] = [
     ),
     ("`gravity`", "loads", "on = 'all', gravity = { acceleration = [0, 0, 1] }"),
     ("`traction`, and `force` by area", "loads", "on = 'all', traction = { value = [0, 0, 1] }"),
+    ("`temperature`", "loads", "on = 'all', temperature = { change = 1 }"),
     ("`pressure` on cells, follower", "loads", "on = 'half', pressure = { value = 1, follower = true }"),
     (
         "`preload` of a motion",
@@ -82,7 +83,7 @@ const ROWS: [(&str, &str, &str); 37] = [
 /// The shell and the solids of the small scenes, with the edges that are held and loaded.
 const SHELL: [&str; 3] = [
     "geometry.plate = { lengths = [1, 1], particles = [3, 3] }
-     material.elastic = { young = 1, poisson = 0, density = 1 }
+     material.elastic = { young = 1, poisson = 0, density = 1, expansion = 1e-3 }
      section.homogeneous = { thickness = 0.1 }",
     "u0",
     "v1",

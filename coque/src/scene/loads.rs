@@ -29,6 +29,8 @@ pub struct Load {
     pub gravity: Option<Gravity>,
     /// Dead force by area on a face of a solid, or on cells of a shell.
     pub traction: Option<Traction>,
+    /// Change of temperature of cells of a shell, whose material says how it expands.
+    pub temperature: Option<Temperature>,
     /// Variation in time, in transient runs.
     pub amplitude: Option<Amplitude>,
     /// Whether it is applied in full before the analysis and held: the level counts the other loads.
@@ -146,6 +148,19 @@ pub struct Traction {
     pub depth: Option<Positive>,
 }
 
+/// Change of temperature of cells of a shell, of one or both of its two parts. The level brings it up; in a transient run it is there from the start.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Temperature {
+    /// Change in the middle of the thickness, in the unit of temperature that `expansion` is by \[Θ\].
+    pub change: Option<f64>,
+    /// Change of the upper face, to which the normals point, less that of the lower \[Θ\].
+    pub difference: Option<f64>,
+    /// Name of an array in memory with a number for each particle of a shell: in a cell the mean of its corners' multiplies `change` and `difference`.
+    /// Python brings such arrays.
+    pub values: Option<String>,
+}
+
 /// The one kind of a [`Load`].
 #[derive(Clone, Debug)]
 pub enum LoadKind {
@@ -163,12 +178,14 @@ pub enum LoadKind {
     Gravity(Gravity),
     /// See [`Load::traction`].
     Traction(Traction),
+    /// See [`Load::temperature`].
+    Temperature(Temperature),
 }
 
 impl Load {
     /// Keys of the kinds.
-    pub const WORDS: [&'static str; 7] =
-        ["force", "couple", "pressure", "gas", "volume", "gravity", "traction"];
+    pub const WORDS: [&'static str; 8] =
+        ["force", "couple", "pressure", "gas", "volume", "gravity", "traction", "temperature"];
 
     /// What a shaken base does to all of a body.
     pub(super) fn weight_of_base(gravity: Gravity) -> Self {
@@ -195,12 +212,18 @@ impl Load {
         by_area
             || uneven
             || self.encloses()
+            || self.heats()
             || (self.on != "all" && (self.pressure.is_some() || self.gravity.is_some()))
     }
 
     /// Whether it is what cells enclose.
     pub fn encloses(&self) -> bool {
         self.gas.is_some() || self.volume.is_some()
+    }
+
+    /// Whether it is a change of temperature, which exerts no force of its own.
+    pub fn heats(&self) -> bool {
+        self.temperature.is_some()
     }
 
     /// Every kind that is given, with its key; a checked scene has exactly one.
@@ -213,6 +236,7 @@ impl Load {
             self.volume.map(LoadKind::Volume),
             self.gravity.map(LoadKind::Gravity),
             self.traction.map(LoadKind::Traction),
+            self.temperature.clone().map(LoadKind::Temperature),
         ]
         .into_iter()
         .zip(Self::WORDS)

@@ -71,7 +71,7 @@ pub use harmonic::{
 };
 pub use imperfection::Imperfection;
 pub use levels::Levels;
-pub use loads::{Axis, Couple, Force, Gas, Gravity, Load, LoadKind, Pressure, Traction, Volume};
+pub use loads::{Axis, Couple, Force, Gas, Gravity, Load, LoadKind, Pressure, Temperature, Traction, Volume};
 pub use output::{ErrorBars, ErrorProbe, Fields, Output, Plot};
 pub use per_axis::PerAxis;
 pub use problem::{BodyScene, Scene};

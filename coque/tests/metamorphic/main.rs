@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 49] = [
+const SCENES: [(&str, Replaced); 51] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -37,6 +37,8 @@ const SCENES: [(&str, Replaced); 49] = [
     ("tensioned-plate.toml", &[]),
     ("cantilever-shaken.toml", &SHAKEN),
     ("cantilever-shaken.toml", &SHAKEN_DIRECTLY),
+    ("heated-plate.toml", &[]),
+    ("bimetal-strip.toml", &[]),
     ("ring.toml", &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")]),
     ("strip-over-drum.toml", &[("analysis.static.levels", "4"), ("geometry.plate.particles", "[26, 3]")]),
     ("ring-between-plates.toml", &[("analysis.static.levels", "[0.1, 0.25]")]),

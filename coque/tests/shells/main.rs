@@ -16,6 +16,7 @@ mod buckling;
 mod conjugate_gradients;
 mod enclosed;
 mod harmonic;
+mod heat;
 mod imperfection;
 mod initial_stress;
 mod layered;

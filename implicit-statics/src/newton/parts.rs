@@ -1,7 +1,7 @@
 //! Paths in parts: how one begins, from the state in which another ended or from anywhere else, and how it ends; a pattern that changes, how far a
 //! state may move at once, and the line search on the way.
 
-use crate::newton::{AT_REST, Converged, Newton};
+use crate::newton::{AT_REST, Converged, Newton, ROUNDING};
 use crate::vectors::{dot, norm};
 use crate::{Equilibrium, EquilibriumError, Increment, SymmetricSolver};
 
@@ -89,7 +89,8 @@ impl Newton {
     ) -> Result<Converged, EquilibriumError> {
         let expected = self.force_scale;
         let size = self.residual(system, level)?;
-        let bound = self.options.tolerance * norm(&self.external).max(expected);
+        let asked = self.options.tolerance * norm(&self.external).max(expected);
+        let bound = asked.max(ROUNDING * system.stress_forces(level));
         let committed = goes_on && system.tangent_is_of_the_step();
         let converged = if !committed && (size > bound || system.within_bounds().is_err()) {
             self.at_level(system, level)?

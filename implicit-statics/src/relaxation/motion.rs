@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::{Relaxation, RelaxationMemory, Relaxed, Relaxing, SnapEnergy};
+use crate::newton::ROUNDING;
 use crate::options::{Damping, RelaxationOptions};
 use crate::vectors::{dot, norm};
 use crate::{Equilibrium, EquilibriumError};
@@ -38,6 +39,8 @@ pub(super) struct Motion<'a> {
     rests: bool,
     /// The force that brought prescribed values about at the start \[F\].
     driving: f64,
+    /// Residual that is the rounding of what heat exerts \[F\].
+    rounding: f64,
     counts: Counts,
 }
 
@@ -69,6 +72,7 @@ impl<'a> Motion<'a> {
             way: zero(),
             rests: true,
             driving: 0.0,
+            rounding: 0.0,
             counts: Counts::default(),
         };
         if system.has_moving_supports() || system.has_moving_tools() {
@@ -76,6 +80,13 @@ impl<'a> Motion<'a> {
             system.internal(levels.0, &mut motion.internal);
             motion.driving = system.driving_force();
             motion.counts.evaluations += 1;
+        }
+        // What heat drives is known by its rate: the loads are none of it.
+        motion.rounding = ROUNDING * system.stress_forces(levels.1);
+        if motion.rounding > 0.0 {
+            let mut rate = vec![0.0; system.unknowns()];
+            system.load_rate(levels.1, &mut rate);
+            motion.driving = motion.driving.max(levels.1.abs() * norm(&rate));
         }
         match motion.memory.past.predict(system, levels.1) {
             Some(way) if system.reach(&way) == 1.0 => {
@@ -112,8 +123,8 @@ impl<'a> Motion<'a> {
             let (residual, scale) = self.evaluate(system, iterations)?;
             let first = residuals.first().copied().unwrap_or(residual);
             let load = if scale > 0.0 { scale } else { first };
-            let bound = (self.options.tolerance * load).max(self.options.force);
-            let at_start = residual == 0.0 || self.memory.past.points_on();
+            let bound = (self.options.tolerance * load).max(self.options.force).max(self.rounding);
+            let at_start = residual <= self.rounding || self.memory.past.points_on();
             let arrived = iterations > self.ramp || (self.ramp == 0 && at_start);
             let found = residual <= bound && arrived;
             let ends = iterations == allowed;

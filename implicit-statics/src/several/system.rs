@@ -156,10 +156,8 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     }
 
     fn pattern_changed(&mut self, level: f64) -> bool {
-        let mut changed = false;
-        for system in &mut self.systems {
-            changed |= system.pattern_changed(level);
-        }
+        let mut changed =
+            self.systems.iter_mut().fold(false, |any, system| system.pattern_changed(level) || any);
         if !self.acting.is_empty() {
             self.systems.iter_mut().for_each(|system| system.put(level));
         }
@@ -252,9 +250,7 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     fn row_sums(&mut self, level: f64, out: &mut [f64]) {
         self.act(level);
         self.parts(|own| &own.first).for_each(|(system, range)| system.row_sums(level, &mut out[range]));
-        for acting in &self.acting {
-            acting.add_row_sums(&self.systems, &self.first, out);
-        }
+        self.acting.iter().for_each(|acting| acting.add_row_sums(&self.systems, &self.first, out));
     }
 
     fn stressed_tangent(&mut self, level: f64, motion: &[f64], values: &mut [f64]) -> bool {
@@ -279,6 +275,10 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
             system.turned_tangent(levels, motion, &mut values[range]);
         }
         self.add_stressed(&here, values);
+    }
+
+    fn stress_forces(&self, level: f64) -> f64 {
+        self.systems.iter().map(|system| system.stress_forces(level).powi(2)).sum::<f64>().sqrt()
     }
 
     fn driving_force(&self) -> f64 {

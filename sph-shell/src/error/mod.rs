@@ -3,8 +3,10 @@
 use sph_core::SpaceError;
 
 mod enclosed;
+mod heat;
 
 pub use enclosed::EnclosedError;
+pub use heat::HeatError;
 
 /// A shell that was refused before anything ran.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -157,6 +159,9 @@ pub enum ShellError {
     /// What cells cannot enclose.
     #[error(transparent)]
     Enclosed(#[from] EnclosedError),
+    /// What cannot be heated.
+    #[error(transparent)]
+    Heat(#[from] HeatError),
     /// What one process marches alone.
     #[error("{0} is marched by one process alone; start one, with as many threads as there are cores")]
     NotShared(&'static str),

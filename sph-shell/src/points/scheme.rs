@@ -213,6 +213,15 @@ impl Points {
         }
     }
 
+    /// Puts the resultants of unstrained points, and what each stores, in the place of what was there of stress.
+    pub fn put_stresses(&mut self, of: impl Fn(usize) -> ([f64; 6], f64)) {
+        let Sections::Stressed(packs) = &mut self.sections else { return };
+        for (pack, points) in packs.iter_mut().zip(&self.packs.order) {
+            let all = points.map(|point| of(point as usize));
+            pack.put(all.map(|(resultants, _)| resultants), all.map(|(_, stored)| stored));
+        }
+    }
+
     /// The slots that a sweep over all of wide stencils fills, one a (point, particle) pair, and a slot of zeros behind.
     pub fn slots(&self) -> Vec<Row> {
         let count = if let Scheme::Wide { .. } = self.scheme { self.packs.slot_count() + 1 } else { 0 };

@@ -93,6 +93,10 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
         !self.moved.is_empty()
     }
 
+    fn stress_forces(&self, level: f64) -> f64 {
+        self.stress_forces_at(level)
+    }
+
     fn driving_force(&self) -> f64 {
         let prescribed = |&a: &u32| {
             let a = a as usize;

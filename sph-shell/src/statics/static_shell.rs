@@ -165,6 +165,7 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let moves = |a: &u32| shell.constraint(*a as usize).is_some_and(|held| held.has_preload());
         shell.loading.loads.iter().any(|applied| applied.load.case() == LoadCase::Preload)
             || shell.loading.tools.move_in(LoadCase::Preload)
+            || shell.material.heat.as_ref().is_some_and(|heat| heat.preloads())
             || self.moved.iter().any(moves)
     }
 
@@ -234,17 +235,6 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
             }
         }
         rows
-    }
-
-    /// Takes what a unit of level adds to the forces of the initial stress along the unknowns.
-    pub(super) fn subtract_stress_rate(&mut self, level: f64, out: &mut [f64]) {
-        if self.shell.loading.case != self.shell.material.stress_case || !self.shell.is_stressed() {
-            return;
-        }
-        let rows = self.shell.forces_of_stress(level);
-        let mut rate = vec![0.0; out.len()];
-        self.project(|a| rows[a], &mut rate);
-        out.iter_mut().zip(&rate).for_each(|(sum, part)| *sum -= part);
     }
 
     /// Evaluates internal forces where the shell stands, and the energies of points where they are wanted.

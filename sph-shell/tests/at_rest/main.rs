@@ -8,6 +8,7 @@ mod common;
 mod beams_on_springs;
 mod enclosed;
 mod even_bed;
+mod heat;
 mod inertia;
 mod initial_stress;
 mod iterative;

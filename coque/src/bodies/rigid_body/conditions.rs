@@ -86,7 +86,11 @@ pub(super) fn loads(scene: &BodyInScene<'_>, sets: &Sets) -> Vec<Load> {
                 }
                 LoadKind::Gravity(gravity) => own.acceleration = gravity.acceleration.into(),
                 // The checks leave no other.
-                LoadKind::Pressure(_) | LoadKind::Traction(_) | LoadKind::Gas(_) | LoadKind::Volume(_) => {}
+                LoadKind::Pressure(_)
+                | LoadKind::Traction(_)
+                | LoadKind::Gas(_)
+                | LoadKind::Volume(_)
+                | LoadKind::Temperature(_) => {}
             }
         }
         all.push(own);

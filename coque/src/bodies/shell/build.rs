@@ -116,6 +116,7 @@ pub(super) fn assemble(
     let wetting = wetting.map(|wetting| Wetting { free_edges: free_edges(&cloud, &supports), ..wetting });
     let masses = builder.masses(&sets)?;
     let stresses = builder.stresses(&cells)?;
+    let temperatures = builder.temperatures(&cells, &cloud)?;
     let tools = builder.tools(&sections, &cloud);
     let own_contact = builder.own_contact(&sections, &cloud);
     let parts = Parts {
@@ -141,7 +142,8 @@ pub(super) fn assemble(
         .springs(springs)
         .tools(tools)
         .touching_itself(own_contact)
-        .stresses(stresses);
+        .stresses(stresses)
+        .temperatures(temperatures);
     if scene.stress_drives() {
         shell = shell.stress_by_level();
     }

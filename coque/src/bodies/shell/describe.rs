@@ -51,7 +51,7 @@ pub(crate) fn describe(
         bodies: BTreeMap::new(),
         modelled,
         left_out,
-        resultants: (!scene.loads.is_empty()).then(|| resultants(scene, shell)),
+        resultants: scene.loads.iter().any(|load| !load.heats()).then(|| resultants(scene, shell)),
         tangent: match &scene.shell.formulation {
             Formulation::StrongForm(_) => TangentCost::Without,
             Formulation::StressPoint(f) if f.support == Reach::Cell => {
@@ -66,7 +66,7 @@ pub(crate) fn describe(
 /// What each load of the scene amounts to.
 fn resultants(scene: &ShellInScene<'_>, shell: &Shell) -> LoadResultants {
     let about = shell.centroid();
-    let named = scene.loads.iter().flat_map(|load| {
+    let named = scene.loads.iter().filter(|load| !load.heats()).flat_map(|load| {
         load.kinds()
             .into_iter()
             .map(move |(word, kind)| line(&describe_load(word, &kind), load.on, load.preload))
@@ -215,6 +215,7 @@ fn describe_load(word: &str, kind: &LoadKind) -> String {
         LoadKind::Pressure(pressure) if pressure.follower => "follower pressure".into(),
         LoadKind::Gas(_) => "enclosed gas".into(),
         LoadKind::Volume(_) => "enclosed liquid".into(),
+        LoadKind::Temperature(_) => "change of temperature".into(),
         _ => word.into(),
     }
 }

@@ -12,7 +12,7 @@ use crate::scene::error::SceneError;
 use crate::scene::{self, Axis, LoadKind};
 
 impl Builder<'_> {
-    /// The loads of a shell, each of its scene once and in their order.
+    /// The loads of a shell, each of its scene but heat once and in their order.
     pub(super) fn loads(
         &self,
         sets: &Sets,
@@ -23,7 +23,8 @@ impl Builder<'_> {
         imported: Option<&Imported>,
     ) -> Result<Vec<AppliedLoad>, SceneError> {
         let mut loads = Vec::new();
-        for load in &self.scene.loads {
+        // Heat exerts no forces: `Builder::temperatures` has it.
+        for load in self.scene.loads.iter().filter(|load| !load.heats()) {
             let path = load.at("on");
             let of_case = |applied: AppliedLoad| match load.preload {
                 true => AppliedLoad { load: Box::new(sph_shell::Preloaded(applied.load)), ..applied },
@@ -70,7 +71,9 @@ impl Builder<'_> {
                 Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) })
             }
             // They act on cells.
-            LoadKind::Traction(_) | LoadKind::Gas(_) | LoadKind::Volume(_) => return None,
+            LoadKind::Traction(_) | LoadKind::Gas(_) | LoadKind::Volume(_) | LoadKind::Temperature(_) => {
+                return None;
+            }
         })
     }
 
@@ -114,7 +117,7 @@ impl Builder<'_> {
                     let content = Content::Liquid { added, bulk_modulus };
                     Box::new(Enclosed::new(cells.clone(), content, volume.beside.get()))
                 }
-                LoadKind::Couple(_) => return None,
+                LoadKind::Couple(_) | LoadKind::Temperature(_) => return None,
             })
         };
         let amplitude = || load.amplitude.clone().unwrap_or_default();

@@ -9,6 +9,7 @@ use sph_shell::{Formulation, Reach};
 
 use crate::bodies::refusal::model_error;
 use crate::bodies::shell::build::Builder;
+use crate::bodies::shell::heat::isotropic;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
 use crate::scene::{self, MaterialSection};
@@ -29,18 +30,6 @@ pub(super) enum SectionSpec {
 }
 
 impl SectionSpec {
-    /// Isotropic, with Young's modulus and Poisson's ratio.
-    ///
-    /// # Errors
-    /// [`MaterialError`] for numbers out of bounds.
-    pub fn isotropic(
-        [young, poisson]: [f64; 2],
-        thickness: f64,
-        gauss_points: Option<usize>,
-    ) -> Result<Self, MaterialError> {
-        Ok(Self::Isotropic(Isotropic::new(young, poisson)?, thickness, gauss_points))
-    }
-
     /// Thickness \[L\].
     pub fn thickness(&self) -> f64 {
         match self {
@@ -156,9 +145,9 @@ impl Builder<'_> {
         };
         match shell.material_section(s)? {
             MaterialSection::Homogeneous(elastic, section) => {
-                let moduli = [elastic.young.get(), elastic.poisson];
                 let points = section.gauss_points.as_deref().copied();
-                SectionSpec::isotropic(moduli, section.thickness.get(), points)
+                isotropic(elastic.young.get(), elastic)
+                    .map(|material| SectionSpec::Isotropic(material, section.thickness.get(), points))
                     .map_err(refuse("material.elastic"))
             }
             MaterialSection::Plastic(material, section) => {

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use shell_kinematics::StrainMeasure;
+use shell_kinematics::{Isotropic, StrainMeasure};
 use sph_core::{Cloud, Vec3};
 use sph_shell::Region;
 
 use super::build::Builder;
 use super::cells::CellSets;
+use super::heat::isotropic;
 use super::imported::Imported;
 use super::material::SectionSpec;
 use super::sections::Sections;
@@ -170,10 +171,10 @@ impl Builder<'_> {
                 let young = self.young(elastic, at, &cells, cloud)?;
                 let points = section.gauss_points.as_deref().copied();
                 let one = |(cell, (thickness, young)): (u32, (f64, f64))| {
-                    let spec =
-                        SectionSpec::isotropic([young, elastic.poisson], thickness, points).map_err(|e| {
-                            model_error(self.scene.source, &at.path("material.elastic"), &e.to_string())
-                        })?;
+                    let material = isotropic(young, elastic).map_err(|e| {
+                        model_error(self.scene.source, &at.path("material.elastic"), &e.to_string())
+                    })?;
+                    let spec = SectionSpec::Isotropic(material, thickness, points);
                     let cells = vec![cell];
                     Ok(UniformPart { group: None, cells, spec, density, height: 0.0, axis, strain })
                 };
@@ -225,15 +226,15 @@ impl Builder<'_> {
             };
             let needed = weighs || swings(self.scene.analysis);
             let (moduli, density) = match (elastic, material.elastic) {
-                (Some(own), _) => ([own.young.get(), own.poisson], own.density.get()),
+                (Some(own), _) => (isotropic(own.young.get(), own), own.density.get()),
                 (None, None) => {
                     let value = format!("material \"{}\" has no isotropic *Elastic", given.material);
                     return refuse(&value, "Young's modulus and Poisson's ratio", "add them to the file");
                 }
                 // Where nothing has a mass any density will do.
-                (None, Some(moduli)) => match material.density {
-                    None if !needed => (moduli, 1.0),
-                    Some(density) if density > 0.0 => (moduli, density),
+                (None, Some([young, poisson])) => match material.density {
+                    None if !needed => (Isotropic::new(young, poisson), 1.0),
+                    Some(density) if density > 0.0 => (Isotropic::new(young, poisson), density),
                     _ => {
                         let value = format!("material \"{}\" has no positive *Density", given.material);
                         return refuse(&value, "one where masses count", "add it to the file");
@@ -242,7 +243,7 @@ impl Builder<'_> {
             };
             let thickness = section.map_or(given.thickness, |section| section.thickness.get());
             let gauss_points = section.and_then(|section| section.gauss_points.as_deref().copied());
-            let spec = SectionSpec::isotropic(moduli, thickness, gauss_points);
+            let spec = moduli.map(|material| SectionSpec::Isotropic(material, thickness, gauss_points));
             let spec =
                 spec.map_err(|error| model_error(self.scene.source, &at.path(key), &error.to_string()))?;
             let (group, height) = (Some(given.group.clone()), given.offset * thickness);

@@ -1,8 +1,9 @@
 //! From the plies of a scene to those of a section.
 
-use shell_kinematics::{Isotropic, MaterialError, Orthotropic, PlasticPly, Ply, PlyMaterial};
+use shell_kinematics::{MaterialError, Orthotropic, PlasticPly, Ply, PlyMaterial};
 
 use super::build::Builder;
+use super::heat::isotropic;
 use super::material::{SectionSpec, plastic};
 use crate::bodies::refusal::model_error;
 use crate::scene::error::SceneError;
@@ -51,15 +52,10 @@ fn made_of(material: &Material, ply: &scene::Ply) -> Result<PlyMaterial, Materia
     Ok(match material {
         Material::Orthotropic(m) => {
             let across = m.shear_across.unwrap_or(m.shear);
-            PlyMaterial::Orthotropic(Orthotropic::new(
-                *m.young_along,
-                *m.young_across,
-                m.poisson,
-                *m.shear,
-                *across,
-            )?)
+            let fibre = Orthotropic::new(*m.young_along, *m.young_across, m.poisson, *m.shear, *across)?;
+            PlyMaterial::Orthotropic(m.expansion.map_or(Ok(fibre), |own| fibre.expanding(own))?)
         }
-        Material::Elastic(m) => PlyMaterial::Elastic(Isotropic::new(m.young.get(), m.poisson)?),
+        Material::Elastic(m) => PlyMaterial::Elastic(isotropic(m.young.get(), m)?),
         Material::Plastic(m) => PlyMaterial::Plastic(plastic(m)?, ply.slices()),
         // The checks leave a ply no other.
         Material::Rubber(_) | Material::File(_) => return Err(MaterialError::NoPlies),

@@ -75,7 +75,12 @@ impl Builder<'_> {
             ShellError::StressOfWideStencils => of_body("initial_stress"),
             ShellError::OwnLaw(_) => of_body("section"),
             ShellError::Enclosed(cause) => {
-                self.scene.loads.get(cause.load()).map_or("loads".into(), |load| load.at("on"))
+                let mut loads = self.scene.loads.iter().filter(|load| !load.heats());
+                loads.nth(cause.load()).map_or("loads".into(), |load| load.at("on"))
+            }
+            ShellError::Heat(cause) => {
+                let mut loads = self.scene.loads.iter().filter(|load| load.heats());
+                loads.nth(cause.number()).map_or("loads".into(), |load| load.at("temperature"))
             }
             ShellError::Mass { .. } => of_body("masses"),
             ShellError::Spring { .. }

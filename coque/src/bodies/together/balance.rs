@@ -89,6 +89,10 @@ impl Equilibrium for Together<Balanced> {
         self.system.turned_tangent(levels, motion, values);
     }
 
+    fn stress_forces(&self, level: f64) -> f64 {
+        self.system.stress_forces(level)
+    }
+
     fn driving_force(&self) -> f64 {
         self.system.driving_force()
     }

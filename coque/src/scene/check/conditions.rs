@@ -6,6 +6,7 @@ use sph_core::Vec3;
 use super::amplitude::check_amplitude;
 use super::enclosed::check_enclosed;
 use super::fluid::{check_load_of_fluid, check_unsupported};
+use super::heat::check_temperature;
 use super::rigid::{check_rigid_load, check_rigid_support};
 use super::sets::{check_set_name, only_on};
 use super::solid::{check_face, check_solid_load, check_solid_support, check_traction};
@@ -161,6 +162,7 @@ pub(super) fn check_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Ver
     let kinds = load.kinds();
     let given: Vec<&str> = kinds.iter().map(|(word, _)| *word).collect();
     s.exactly_one(at, "load", &given, &Load::WORDS)?;
+    check_temperature(scene, load)?;
     check_load_of_fluid(scene, load)?;
     if let Some(solid) = scene.as_solid() {
         check_solid_load(scene, load, solid)?;
@@ -192,6 +194,7 @@ pub(super) fn check_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Ver
             LoadKind::Gas(_) | LoadKind::Volume(_) => check_enclosed(scene, load)?,
             LoadKind::Gravity(g) => s.sized_all(&format!("{at}.gravity.acceleration"), &g.acceleration)?,
             LoadKind::Traction(_) => check_traction(scene, load)?,
+            LoadKind::Temperature(_) => {}
         }
         if matches!(kind, LoadKind::Pressure(_)) && scene.as_solid().is_some() {
             check_face(scene, load, word)?;

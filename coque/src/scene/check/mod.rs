@@ -10,6 +10,7 @@ mod fluid;
 mod gauges;
 mod glue;
 mod harmonic;
+mod heat;
 mod imperfection;
 mod made;
 mod preload;

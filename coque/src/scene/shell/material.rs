@@ -79,6 +79,8 @@ pub struct Elastic {
     pub poisson: f64,
     /// Mass per volume \[F T²/L⁴\].
     pub density: Positive,
+    /// Coefficient of thermal expansion of a shell that is heated, by any unit Θ of temperature \[1/Θ\].
+    pub expansion: Option<f64>,
 }
 
 /// Orthotropic linear elasticity, alike in all directions across the fibre as far as plane stress asks.
@@ -97,4 +99,6 @@ pub struct Orthotropic {
     pub shear_across: Option<Positive>,
     /// Mass per volume \[F T²/L⁴\].
     pub density: Positive,
+    /// Coefficients of thermal expansion along the fibre and across it, by any unit Θ of temperature \[1/Θ\].
+    pub expansion: Option<[f64; 2]>,
 }

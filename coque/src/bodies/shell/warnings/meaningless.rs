@@ -55,7 +55,7 @@ fn of_loads(look: &Look<'_>, first: usize, count: usize) -> String {
             let (path, on) = (&load.path, load.on);
             load.kinds().iter().map(|(word, _)| format!("`{path}.{word}` on {on}")).collect::<Vec<_>>()
         };
-        scene.loads.iter().flat_map(named).collect()
+        scene.loads.iter().filter(|load| !load.heats()).flat_map(named).collect()
     };
     let name = look.scene.and_then(|scene| kinds(scene).into_iter().nth(first));
     let name = name.unwrap_or_else(|| format!("load {}", first + 1));

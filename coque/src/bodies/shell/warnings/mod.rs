@@ -8,6 +8,7 @@
 mod coarse;
 mod contact;
 mod folded;
+mod hot;
 mod look;
 mod meaningless;
 mod method;
@@ -36,7 +37,7 @@ struct Rule {
 }
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 23] = [
+const RULES: [Rule; 24] = [
     Rule { kind: WarningKind::NoWork, of: meaningless::no_work },
     Rule { kind: WarningKind::HeldLoad, of: meaningless::held_load },
     Rule { kind: WarningKind::FarNearest, of: meaningless::far_nearest },
@@ -60,6 +61,7 @@ const RULES: [Rule; 23] = [
     Rule { kind: WarningKind::SharpCorners, of: coarse::corners },
     Rule { kind: WarningKind::Pole, of: coarse::pole },
     Rule { kind: WarningKind::CoarseContact, of: contact::coarse },
+    Rule { kind: WarningKind::LargeStrain, of: hot::hot },
 ];
 
 /// What is doubtful about a shell that no scene describes; see [`crate::Model::warnings`] for the others.

@@ -27,13 +27,20 @@ pub(super) fn check_poisson(path: &str, poisson: f64, s: &Scope<'_>) -> Verdict 
     s.between(path, poisson, [-1.0, 0.5], repair)
 }
 
+/// Poisson's ratio and expansion of an isotropic material.
+pub(super) fn check_elastic_numbers(elastic: &Elastic, s: &Scope<'_>) -> Verdict {
+    check_poisson("material.elastic.poisson", elastic.poisson, s)?;
+    s.sized("material.elastic.expansion", elastic.expansion.unwrap_or_default())
+}
+
 /// The constants of a fibre.
 pub(super) fn check_orthotropic(material: &Orthotropic, s: &Scope<'_>) -> Verdict {
     let at = |key: &str| format!("material.orthotropic.{key}");
     let bound = (*material.young_along / *material.young_across).sqrt();
     let repair = "ν_LT² must be less than E_L/E_T, or some strain would release energy; give the contraction across \
                   the fibre under stress along it";
-    s.between(&at("poisson"), material.poisson, [-bound, bound], repair)
+    s.between(&at("poisson"), material.poisson, [-bound, bound], repair)?;
+    s.sized_all(&at("expansion"), &material.expansion.unwrap_or_default())
 }
 
 impl ShellScene {
@@ -65,7 +72,7 @@ impl ShellScene {
             let repair = "remove it, or give [section.homogeneous]";
             return Err(SceneError::Choice(s.fault("material.elastic.young-values", value, bound, repair)));
         }
-        check_poisson("material.elastic.poisson", elastic.poisson, s)
+        check_elastic_numbers(elastic, s)
     }
 
     fn check_section(&self, s: &Scope<'_>) -> Verdict {

@@ -1,6 +1,6 @@
 //! Checks of plies: what each is made of.
 
-use super::material::{check_orthotropic, check_poisson};
+use super::material::{check_elastic_numbers, check_orthotropic};
 use super::own_law::check_plastic;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
@@ -40,7 +40,7 @@ impl ShellScene {
             None => Ok(()),
             Some(Material::Elastic(elastic)) => {
                 check_even(elastic, own)?;
-                check_poisson("material.elastic.poisson", elastic.poisson, own)
+                check_elastic_numbers(elastic, own)
             }
             Some(Material::Orthotropic(material)) => check_orthotropic(material, own),
             Some(Material::Plastic(plastic)) => {

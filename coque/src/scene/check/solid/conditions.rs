@@ -82,7 +82,11 @@ pub(in super::super) fn check_solid_load(
                     return Err(SceneError::Choice(fault));
                 }
             }
-            LoadKind::Couple(_) | LoadKind::Pressure(_) | LoadKind::Gas(_) | LoadKind::Volume(_) => {
+            LoadKind::Couple(_)
+            | LoadKind::Pressure(_)
+            | LoadKind::Gas(_)
+            | LoadKind::Volume(_)
+            | LoadKind::Temperature(_) => {
                 let bound = match solid.galerkin() {
                     None => "`force`, `traction` or `gravity` on a solid",
                     Some(_) => "`force`, `traction`, `pressure` or `gravity` on a solid",

@@ -25,6 +25,11 @@ impl SolidScene {
             let repair = "remove it, or divide the solid into parts";
             return Err(SceneError::Choice(s.fault("material.elastic.young-values", value, bound, repair)));
         }
+        if self.material.elastic().is_some_and(|elastic| elastic.expansion.is_some()) {
+            let (value, bound) = ("a coefficient of expansion", "none of a solid: shells alone are heated");
+            let fault = s.fault("material.elastic.expansion", value, bound, "remove it");
+            return Err(SceneError::Choice(fault));
+        }
         if let Some(galerkin) = self.galerkin() {
             return self.check_galerkin(galerkin, s);
         }

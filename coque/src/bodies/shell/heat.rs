@@ -1,0 +1,54 @@
+//! From the changes of temperature of a scene to those of the cells of a shell; how materials expand.
+
+use shell_kinematics::{Isotropic, MaterialError};
+use sph_core::Cloud;
+use sph_shell::LoadCase;
+
+use super::arrays::{by_cell, by_particle};
+use super::build::Builder;
+use super::cells::CellSets;
+use crate::scene::error::SceneError;
+use crate::scene::{Elastic, Temperature};
+
+/// An isotropic material with its expansion.
+///
+/// # Errors
+/// [`MaterialError`] for numbers out of bounds.
+pub(super) fn isotropic(young: f64, elastic: &Elastic) -> Result<Isotropic, MaterialError> {
+    let material = Isotropic::new(young, elastic.poisson)?;
+    elastic.expansion.map_or(Ok(material), |expansion| material.expanding(expansion))
+}
+
+impl Builder<'_> {
+    /// The changes of temperature of the scene, in the order of its loads.
+    ///
+    /// # Errors
+    /// [`SceneError`] for sets without cells, and for arrays that do not belong to the particles.
+    pub(super) fn temperatures(
+        &self,
+        sets: &CellSets<'_>,
+        cloud: &Cloud,
+    ) -> Result<Vec<sph_shell::Temperature>, SceneError> {
+        let mut all = Vec::new();
+        for load in &self.scene.loads {
+            let Some(Temperature { change, difference, values }) = &load.temperature else { continue };
+            let cells = sets.at(&load.at("on"), load.on)?;
+            let own = [*change, *difference].map(Option::unwrap_or_default);
+            let changes = match values {
+                None => vec![own; cells.len()],
+                Some(name) => {
+                    let path = load.at("temperature.values");
+                    let scope = self.scene.scope();
+                    let factors = by_particle(self.scene.scene, &scope, &path, name, cloud.len())?;
+                    by_cell(factors, &cells, cloud)
+                        .into_iter()
+                        .map(|factor| own.map(|x| factor * x))
+                        .collect()
+                }
+            };
+            let case = if load.preload { LoadCase::Preload } else { LoadCase::Loading };
+            all.push(sph_shell::Temperature { cells, changes, case });
+        }
+        Ok(all)
+    }
+}
