@@ -66,13 +66,16 @@ impl Sets {
     }
 }
 
+/// Members of a set, or why it has none.
+pub(super) type Members = Result<Vec<u32>, SceneError>;
+
 /// The sets that the scene of a body declares, to be found.
 pub(super) struct Declared<'a> {
     pub scene: &'a BodyInScene<'a>,
     /// Places in the frame of the regions \[L\].
     pub positions: &'a [Vec3],
     /// Members of a set that the body has of itself, named at a path.
-    pub own: &'a dyn Fn(&str, &str) -> Result<Vec<u32>, SceneError>,
+    pub own: &'a dyn Fn(&str, &str) -> Members,
     /// Members in a region of space.
     pub pick: &'a dyn Fn(&Region) -> Vec<u32>,
 }
@@ -91,7 +94,7 @@ impl Declared<'_> {
     ///
     /// # Errors
     /// As of all.
-    pub fn one(&self, name: &str, region: &Region) -> Result<Vec<u32>, SceneError> {
+    pub fn one(&self, name: &str, region: &Region) -> Members {
         let found = match region.made() {
             None => (self.pick)(region),
             // The checks leave no set that is made of itself.

@@ -39,7 +39,9 @@ pub(super) struct Included {
 pub(super) fn read(text: &str, origin: &str) -> Result<Vec<Included>, SceneError> {
     let mut found = Found { files: Vec::new(), open: vec![path_of(Path::new(origin))], known: Vec::new() };
     // What is no TOML is refused with the values that are replaced in it.
-    if let Ok(document) = DeTable::parse(text) {
+    if text.contains(INCLUDE)
+        && let Ok(document) = DeTable::parse(text)
+    {
         found.take(document.get_ref(), origin, text, Path::new(""))?;
     }
     Ok(found.files)

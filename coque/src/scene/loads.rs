@@ -198,6 +198,7 @@ impl Load {
             volume: None,
             gravity: Some(gravity),
             traction: None,
+            temperature: None,
             amplitude: None,
             preload: false,
             of_base: true,

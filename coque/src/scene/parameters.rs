@@ -94,7 +94,7 @@ enum Wanted {
     Any,
     /// This.
     Dimension(Dimension),
-    /// It cannot be told.
+    /// It is not known.
     Unknown,
 }
 

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use crate::common::ran;
+use crate::common::sittings::stopped_again_and_again;
 use coque::{Checked, Rendering, Scene, SceneError, render};
 
 const WHOLE: &str = r#"title = "Strip"
@@ -158,4 +159,13 @@ fn the_copy_of_a_scene_needs_none_of_its_files() {
     assert_eq!(again.status.code(), Some(0), "{}", String::from_utf8_lossy(&again.stderr));
     let curve = |run: &str| fs::read_to_string(folder.join(run).join("curve.csv")).unwrap();
     assert_eq!(curve("first"), curve("second"));
+}
+
+/// A run that was stopped goes on after the files have gone.
+#[test]
+fn a_run_goes_on_without_the_files_of_its_scene() {
+    let folder = folder("resumed");
+    let text = Scene::whole_text(FILES[0].1, &folder.join("strip.toml").display().to_string()).unwrap();
+    fs::remove_dir_all(&folder).unwrap();
+    stopped_again_and_again("included", &text, &[("analysis.static.levels", "8")], 2);
 }

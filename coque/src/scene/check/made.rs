@@ -1,13 +1,11 @@
-//! Checks of sets that are made of other sets: that they are not made of themselves, whose they are, what they name.
+//! Checks of sets that are made of other sets: that they are not made of themselves, and whose they are.
 
 use std::collections::BTreeMap;
 
-use super::sets::check_set_name;
-use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::owner::Owner;
 use crate::scene::problem::Scene;
-use crate::scene::sets::{Made, Region};
+use crate::scene::sets::Region;
 
 /// Sets beyond which what one is made of is taken for a mistake: each is found anew wherever it is named.
 const MOST: usize = 10_000;
@@ -91,20 +89,4 @@ pub(super) fn check_owners_of_made(scene: &Scene) -> Verdict {
         }
     }
     Ok(())
-}
-
-/// Refuses too few names, and names of no sets.
-pub(super) fn check_names(scene: &BodyInScene<'_>, name: &str, made: Made, names: &[String]) -> Verdict {
-    let at = format!("sets.{name}.{}", made.word());
-    let least = if made == Made::Difference { 2 } else { 1 };
-    if names.len() < least {
-        let (bound, repair) = match made {
-            Made::Difference => ("two names or more", "name a set and those that are taken out of it"),
-            _ => ("one name or more", "name the sets, as in [\"u0\", \"u1\"]"),
-        };
-        let value = if names.is_empty() { "an empty list" } else { "a list of one name" };
-        return Err(scene.scope().value(&at, value, bound, repair));
-    }
-    let mut numbered = names.iter().enumerate();
-    numbered.try_for_each(|(i, other)| check_set_name(scene, &format!("{at}[{i}]"), scene.own_set(other)))
 }

@@ -1,10 +1,9 @@
 //! Checks of named sets, and of names of sets.
 
-use super::made::check_names;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::BodyScene;
-use crate::scene::sets::{BUILT_IN, EDGES, OF_FLUIDS, OF_RIGID_BODIES, OF_SOLIDS, OF_WALLS, Region};
+use crate::scene::sets::{BUILT_IN, EDGES, Made, OF_FLUIDS, OF_RIGID_BODIES, OF_SOLIDS, OF_WALLS, Region};
 use crate::scene::source::suggest;
 use crate::scene::walls::WallGeometry;
 
@@ -70,6 +69,22 @@ pub(super) fn check_sets(scene: &BodyInScene<'_>) -> Verdict {
         }
     }
     Ok(())
+}
+
+/// Refuses too few names, and names of no sets.
+fn check_names(scene: &BodyInScene<'_>, name: &str, made: Made, names: &[String]) -> Verdict {
+    let at = format!("sets.{name}.{}", made.word());
+    let least = if made == Made::Difference { 2 } else { 1 };
+    if names.len() < least {
+        let (bound, repair) = match made {
+            Made::Difference => ("two names or more", "name a set and those that are taken out of it"),
+            _ => ("one name or more", "name the sets, as in [\"u0\", \"u1\"]"),
+        };
+        let value = if names.is_empty() { "an empty list" } else { "a list of one name" };
+        return Err(scene.scope().value(&at, value, bound, repair));
+    }
+    let mut numbered = names.iter().enumerate();
+    numbered.try_for_each(|(i, other)| check_set_name(scene, &format!("{at}[{i}]"), scene.own_set(other)))
 }
 
 /// Sets that the body has of itself.
