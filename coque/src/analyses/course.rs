@@ -110,11 +110,9 @@ impl Course {
             Self::StartedLevels(levels) => levels.last(),
             Self::OneSolve(levels) => levels.last(),
             Self::Relaxation(levels) => levels.last(),
-            Self::Linear(_)
-            | Self::ArcLength(_)
-            | Self::Modal(_)
-            | Self::Harmonic(_)
-            | Self::Buckling(_) => 0.0,
+            Self::Linear(_) | Self::ArcLength(_) | Self::Modal(_) | Self::Harmonic(_) | Self::Buckling(_) => {
+                0.0
+            }
         };
         Instant { time: 0.0, level }
     }

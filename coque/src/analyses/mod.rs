@@ -176,9 +176,9 @@ fn of_vibration(wanted: &Harmonic) -> (Vec<String>, Vec<String>) {
     let damping = match wanted.damped() {
         HarmonicDamping::None => None,
         HarmonicDamping::Ratio(ratio) => Some(format!("damping of {ratio} of the critical one in each mode")),
-        HarmonicDamping::Rayleigh { mass, stiffness } => {
-            Some(format!("damping by mass, {mass} per unit of time, and by stiffness, {stiffness} units of time"))
-        }
+        HarmonicDamping::Rayleigh { mass, stiffness } => Some(format!(
+            "damping by mass, {mass} per unit of time, and by stiffness, {stiffness} units of time"
+        )),
         HarmonicDamping::Structural(loss) => Some(format!("structural damping, loss factor {loss}")),
     };
     let shaken = wanted.base.map(|base| {

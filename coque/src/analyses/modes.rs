@@ -224,7 +224,12 @@ fn taken<M>(
 }
 
 /// Counts a mode, keeps its shape about the state that vibrates or buckles and offers it as a frame, scaled for the eye.
-pub(super) fn keep(system: &mut dyn StaticBody, mode: &[f64], level: f64, run: &mut Run<'_>) -> ControlFlow<()> {
+pub(super) fn keep(
+    system: &mut dyn StaticBody,
+    mode: &[f64],
+    level: f64,
+    run: &mut Run<'_>,
+) -> ControlFlow<()> {
     let rest = system.save();
     let start = system.configuration().present;
     system.update(mode);

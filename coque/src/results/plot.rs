@@ -89,8 +89,7 @@ pub fn plot_scaled(
     };
     let refused = |reason: String| PlotError::Drawing { path: file.display().to_string(), reason };
     let words = Words { x: &label(x), y: &label(y), title: &plain_text(title) };
-    let svg = draw(&points, &band, scales, &words)
-        .map_err(|e| refused(e.to_string()))?;
+    let svg = draw(&points, &band, scales, &words).map_err(|e| refused(e.to_string()))?;
     write_whole(file, |to| to.write_all(svg.as_bytes())).map_err(|e| refused(e.to_string()))
 }
 

@@ -144,7 +144,9 @@ impl<'de> Deserialize<'de> for Frequencies {
             type Value = Frequencies;
 
             fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a range such as { from = 1.0, to = 100.0, points = 200 }, or a list of frequencies")
+                f.write_str(
+                    "a range such as { from = 1.0, to = 100.0, points = 200 }, or a list of frequencies",
+                )
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Frequencies, A::Error> {
@@ -191,7 +193,8 @@ mod tests {
         let of = |spacing| Frequencies::Range(range(spacing)).list();
         assert_eq!(of(FrequencySpacing::Linear), [2.0, 9.5, 17.0, 24.5, 32.0]);
         let list = of(FrequencySpacing::Logarithmic);
-        let near = list.iter().zip([2.0, 4.0, 8.0, 16.0, 32.0]).all(|(x, exact)| (x / exact - 1.0).abs() < 1e-15);
+        let near =
+            list.iter().zip([2.0, 4.0, 8.0, 16.0, 32.0]).all(|(x, exact)| (x / exact - 1.0).abs() < 1e-15);
         assert!(near && list[4] == 32.0, "{list:?}");
     }
 }

@@ -85,7 +85,10 @@ const SHAKEN: [(&str, &str); 3] = [
 ];
 const SHAKEN_DIRECTLY: [(&str, &str); 2] = [
     ("geometry.plate.particles", "[21, 3]"),
-    ("analysis", "{ harmonic = { frequencies = [5.0, 15.0, 120.0], damping.rayleigh = { mass = 4.0, stiffness = 1e-5 }, base.acceleration = [0.1, 0.5, 1.0] } }"),
+    (
+        "analysis",
+        "{ harmonic = { frequencies = [5.0, 15.0, 120.0], damping.rayleigh = { mass = 4.0, stiffness = 1e-5 }, base.acceleration = [0.1, 0.5, 1.0] } }",
+    ),
 ];
 
 const LAP: [(&str, &str); 3] = [

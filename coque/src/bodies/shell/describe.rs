@@ -8,7 +8,9 @@ use sph_shell::Shell;
 use super::imported::Provenance;
 use crate::bodies::{Description, LoadResultants, Resultant, TangentCost};
 use crate::scene::body_in_scene::ShellInScene;
-use crate::scene::{Analysis, Axis, Formulation, Layered, LoadKind, Material, Ply, Reach, Section, ToolScene};
+use crate::scene::{
+    Analysis, Axis, Formulation, Layered, LoadKind, Material, Ply, Reach, Section, ToolScene,
+};
 
 /// Steps in whose time a tangent of cells is assembled and factorised: so many, and so many times the root of the number
 /// of degrees of freedom n (a step takes a time that grows as n, a factor on a surface as n^1.5). Measured on lattices of

@@ -80,7 +80,8 @@ fn check_damping(scene: &BodyInScene<'_>, wanted: &Harmonic) -> Verdict {
     match wanted.damping {
         Some(VibrationDamping::Ratio(ratio)) if wanted.modes.is_none() => {
             let bound = "none without `modes`: a ratio is that of modes";
-            let repair = "add modes = …, or use damping.structural = 2 × the ratio, which is the same at peaks";
+            let repair =
+                "add modes = …, or use damping.structural = 2 × the ratio, which is the same at peaks";
             Err(s.value(&format!("{at}.ratio"), ratio, bound, repair))
         }
         Some(VibrationDamping::Rayleigh(RayleighDamping { mass, stiffness }))
@@ -115,7 +116,8 @@ fn check_swinging(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
     if !known.contains(&probe.of) {
         let words = known.map(Measured::word).join(", ");
         let bound = format!("what goes with the motion in proportion in a harmonic analysis: {words}");
-        let fault = s.fault(&probe.at("of"), &format!("\"{}\"", probe.of.word()), &bound, "measure one of these");
+        let fault =
+            s.fault(&probe.at("of"), &format!("\"{}\"", probe.of.word()), &bound, "measure one of these");
         return Err(SceneError::Choice(fault));
     }
     if matches!(probe.taken(), Take::Max | Take::Min) {
