@@ -1,7 +1,7 @@
 //! Steady vibration: amplitudes and phases at given frequencies, directly or in modes, about the unloaded or the preloaded body.
 
-mod doubts;
 mod reader;
+mod warnings;
 
 use std::f64::consts::TAU;
 
@@ -9,8 +9,8 @@ use implicit_statics::{
     Complex, CycleEnergies, DirectResponse, EquilibriumError, HarmonicMotion, ReducedResponse,
 };
 
-use self::doubts::{Doubts, unstable};
 use self::reader::{Reader, Slopes};
+use self::warnings::{Warnings, unstable};
 use super::modes::{Vibration, keep, vibration};
 use crate::bodies::StaticBody;
 use crate::run::Run;
@@ -65,7 +65,7 @@ pub(crate) fn harmonic(wanted: &Harmonic, system: &mut dyn StaticBody, run: &mut
     run.record.steps = run.curve.rows.len() as u64;
     let natural = way.natural();
     let circular: Vec<f64> = frequencies.iter().map(|frequency| TAU * frequency).collect();
-    Doubts { frequencies: &circular, damping: wanted.damped(), natural: natural.as_deref(), below: &below }
+    Warnings { frequencies: &circular, damping: wanted.damped(), natural: natural.as_deref(), below: &below }
         .say(run);
     Ended::Done
 }

@@ -244,8 +244,8 @@ fn a_march_under_a_sine_comes_to_the_steady_swing() {
     // Of sin ωt = Re[−i exp(iωt)], a thousandth of the load.
     let found = [1e3 * of(libm::sin), 1e3 * of(libm::cos)];
     let error = apart(found, parts(&steady, "w")[0]);
-    // exp(−15) of the start is left, and the march has its own rotary inertia and its own step.
-    assert!(error < 2e-3, "{error:e} {found:?} {:?}", parts(&steady, "w"));
+    // Directors of a march turn as if the plate were as thick as a cell is wide: 1.25 % here, .31 % at half the spacing.
+    assert!(error < 0.038, "{error:e} {found:?} {:?}", parts(&steady, "w"));
 }
 
 /// A plate that is drawn before it vibrates has its peak where its modes under the same preload are.
@@ -350,7 +350,7 @@ fn what_is_doubtful_is_said() {
     // Between two clamps it buckles at −25e6.
     let pushed = [
         fine,
-        ("initial_stress", "[{ on = \"all\", membrane = [-60e6, 0.0, 0.0] }]"),
+        ("initial_stress", "[{ on = \"all\", axis = [1, 0, 0], membrane = [-60e6, 0.0, 0.0] }]"),
         ("supports[+]", "{ on = \"u1\", clamped = {} }"),
         ("loads[0].on", "\"there\""),
     ];

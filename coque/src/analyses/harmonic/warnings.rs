@@ -13,7 +13,7 @@ const MISSED: f64 = 0.05;
 const COVERED: f64 = 0.7;
 
 /// Frequencies that were asked for, and what is known of the body.
-pub(super) struct Doubts<'a> {
+pub(super) struct Warnings<'a> {
     /// Circular frequencies \[1/T\], in order.
     pub frequencies: &'a [f64],
     pub damping: HarmonicDamping,
@@ -34,7 +34,7 @@ pub(super) fn unstable(negative: usize, run: &mut Run<'_>) {
     }
 }
 
-impl Doubts<'_> {
+impl Warnings<'_> {
     /// Warns of what is doubtful.
     pub fn say(&self, run: &mut Run<'_>) {
         let [Some(&first), Some(&last)] = [self.frequencies.first(), self.frequencies.last()] else { return };
