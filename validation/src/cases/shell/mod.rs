@@ -5,6 +5,7 @@ mod buckling;
 mod cantilever_end_shear;
 mod clamped_cap;
 mod external_pressure;
+mod heat;
 mod heavy_end;
 pub mod hemisphere;
 pub mod hemisphere_large;
@@ -62,6 +63,7 @@ pub fn all() -> Vec<Case> {
             plate_on_gas::case(),
             stepped_plate::case(),
             initial_stress::case(),
+            heat::case(),
             joined_cantilevers::case(),
         ],
     ));
