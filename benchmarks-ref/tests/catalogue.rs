@@ -166,3 +166,18 @@ fn thin_square_plates_are_those_of_the_tables() {
         assert_abs_diff_eq!(table.number(row, "w_c D/(q a^4)").unwrap(), thin, epsilon = 0.6e-5);
     }
 }
+
+/// A plate pressed equally along both axes by N = E t αθ/(1 − ν) buckles at 2π²D/a²; two metals bend as \[timoshenko1925\] has it for any thicknesses.
+#[test]
+fn heated_shells_are_their_closed_forms() {
+    let table = reference("heated_shells").unwrap();
+    let (side, thickness, young, poisson, expansion) = (0.5, 0.004_f64, 70e9, 0.3, 23e-6);
+    let bending = young * thickness.powi(3) / (12.0 * (1.0 - poisson * poisson));
+    let force = 2.0 * PI * PI * bending / (side * side);
+    let change = force * (1.0 - poisson) / (young * thickness * expansion);
+    assert_abs_diff_eq!(table.number(0, "value").unwrap(), change, epsilon = 0.51e-10);
+    let ([m, n], height) = ([1.0, 2.0_f64], 0.001);
+    let below = 3.0 * (1.0_f64 + m).powi(2) + (1.0 + m * n) * (m * m + 1.0 / (m * n));
+    let curvature = 6.0 * 8e-6 * 100.0 * (1.0_f64 + m).powi(2) / (height * below);
+    assert_abs_diff_eq!(table.number(1, "value").unwrap(), curvature, epsilon = 0.51e-10);
+}

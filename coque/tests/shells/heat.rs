@@ -215,10 +215,13 @@ fn what_makes_no_sense_is_refused() {
         ),
         (
             PLATE,
-            &[(
-                "material",
-                "{ plastic = { young = 1e9, poisson = 0.3, density = 1.0, hardening = { linear = { yield-stress = 1e6, slope = 0.0 } } } }",
-            )],
+            &[
+                ("analysis", "{ static = { levels = 1 } }"),
+                (
+                    "material",
+                    "{ plastic = { young = 1e9, poisson = 0.3, density = 1.0, hardening = { linear = { yield-stress = 1e6, slope = 0.0 } } } }",
+                ),
+            ],
             "plasticity or rubber",
         ),
         (

@@ -6,6 +6,7 @@ mod cantilever_end_shear;
 mod cantilever_shaken;
 mod clamped_cap;
 mod external_pressure;
+mod heat;
 mod heavy_end;
 pub mod hemisphere;
 pub mod hemisphere_large;
@@ -71,6 +72,7 @@ pub fn all() -> Vec<Case> {
             plate_on_gas::case(),
             stepped_plate::case(),
             initial_stress::case(),
+            heat::case(),
             joined_cantilevers::case(),
         ],
     ));
