@@ -21,8 +21,9 @@ if TYPE_CHECKING:
     Analysis_4 = TypedDict("Analysis_4", {"arc-length": "ArcLength"})
     Analysis_5 = TypedDict("Analysis_5", {"relaxation": "Relaxation"})
     Analysis_6 = TypedDict("Analysis_6", {"modal": "Modal"})
-    Analysis_7 = TypedDict("Analysis_7", {"buckling": "Buckling"})
-    Analysis: TypeAlias = Union["Analysis_1", "Analysis_2", "Analysis_3", "Analysis_4", "Analysis_5", "Analysis_6", "Analysis_7"]
+    Analysis_7 = TypedDict("Analysis_7", {"harmonic": "Harmonic"})
+    Analysis_8 = TypedDict("Analysis_8", {"buckling": "Buckling"})
+    Analysis: TypeAlias = Union["Analysis_1", "Analysis_2", "Analysis_3", "Analysis_4", "Analysis_5", "Analysis_6", "Analysis_7", "Analysis_8"]
     Anisotropy = TypedDict("Anisotropy", {"axis": Sequence[Union[float, str]], "r0": Union[float, str], "r45": Union[float, str], "r90": Union[float, str]})
     Annulus = TypedDict("Annulus", {"centre": Sequence[Union[float, str]], "inner": Union[float, str], "outer": Union[float, str], "spacing": Union[float, str]})
     Arc = TypedDict("Arc", {"angles": Sequence[Union[float, str]], "cells": Sequence[Union[int, str]], "length": Union[float, str], "radius": Union[float, str], "thickness": Union[float, str]})
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     Axis: TypeAlias = Union[Literal['edge'], Sequence[Union[float, str]]]
     BackStress = TypedDict("BackStress", {"modulus": Union[float, str], "recovery": Union[float, str]})
     Ball = TypedDict("Ball", {"centre": Sequence[Union[float, str]], "radius": Union[float, str]})
+    BaseResponse: TypeAlias = Union[Literal['relative'], Literal['absolute']]
     Basin = TypedDict("Basin", {"max": Sequence[Union[float, str]], "min": Sequence[Union[float, str]], "open": NotRequired[Sequence[str]]})
     Block = TypedDict("Block", {"disorder": NotRequired["NodeDisorder"], "grading": NotRequired[Sequence[Union[float, str]]], "lengths": Sequence[Union[float, str]], "nodes": NotRequired["NodePlaces"], "origin": NotRequired[Sequence[Union[float, str]]], "spacing": "PerAxis", "thickness": NotRequired[Union[float, str]]})
     BodyScene_1 = TypedDict("BodyScene_1", {"shell": "ShellScene"})
@@ -65,7 +67,7 @@ if TYPE_CHECKING:
     Disc = TypedDict("Disc", {"centre": Sequence[Union[float, str]], "radius": Union[float, str], "spacing": Union[float, str]})
     Disorder = TypedDict("Disorder", {"fraction": Union[float, str], "seed": Union[int, str]})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]
-    Elastic = TypedDict("Elastic", {"density": Union[float, str], "poisson": Union[float, str], "young": Union[float, str], "young-values": NotRequired[str]})
+    Elastic = TypedDict("Elastic", {"density": Union[float, str], "expansion": NotRequired[Union[float, str]], "poisson": Union[float, str], "young": Union[float, str], "young-values": NotRequired[str]})
     ErrorBars = TypedDict("ErrorBars", {"probes": NotRequired[Sequence["ErrorProbe"]], "sharpen": NotRequired[bool]})
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[Union[float, str]], "transient": NotRequired["Transient"]})
@@ -93,6 +95,9 @@ if TYPE_CHECKING:
     Formulation_3 = TypedDict("Formulation_3", {"strong-form": "StrongForm"})
     Formulation: TypeAlias = Union["Formulation_1", "Formulation_2", "Formulation_3"]
     Fracture = TypedDict("Fracture", {"by": NotRequired["BondMeasure"], "energy": NotRequired[Union[float, str]], "stretch": NotRequired["Stretches"]})
+    Frequencies: TypeAlias = Union["FrequencyRange", Sequence[Union[float, str]]]
+    FrequencyRange = TypedDict("FrequencyRange", {"from": Union[float, str], "points": Union[int, str], "spacing": NotRequired["FrequencySpacing"], "to": Union[float, str]})
+    FrequencySpacing: TypeAlias = Union[Literal['linear'], Literal['logarithmic']]
     Galerkin = TypedDict("Galerkin", {"across": NotRequired["Across"], "basis": NotRequired["GalerkinBasis"], "essential": NotRequired["GalerkinEssential"], "gauss": NotRequired[Union[int, str]], "kernel": NotRequired[str], "law": NotRequired["GalerkinLaw"], "support": NotRequired["GalerkinSupport"], "tangent": NotRequired["GalerkinTangent"], "update": NotRequired["GalerkinUpdate"], "volumes": NotRequired["GalerkinVolumes"]})
     GalerkinBasis: TypeAlias = Union[Literal['linear'], Literal['quadratic'], Literal['plate17']]
     GalerkinEssential: TypeAlias = Union[Literal['collocation'], Literal['direct']]
@@ -118,6 +123,7 @@ if TYPE_CHECKING:
     Hardening_3 = TypedDict("Hardening_3", {"swift": "Swift"})
     Hardening_4 = TypedDict("Hardening_4", {"table": Sequence[Sequence[Union[float, str]]]})
     Hardening: TypeAlias = Union["Hardening_1", "Hardening_2", "Hardening_3", "Hardening_4"]
+    Harmonic = TypedDict("Harmonic", {"base": NotRequired["ShakenBase"], "damping": NotRequired["VibrationDamping"], "frequencies": "Frequencies", "modes": NotRequired[Union[int, str]]})
     Held = TypedDict("Held", {"director": NotRequired[Sequence[Sequence[Union[float, str]]]], "displacement": NotRequired[Sequence[Sequence[Union[float, str]]]]})
     Homogeneous = TypedDict("Homogeneous", {"gauss_points": NotRequired[Union[int, str]], "slices": NotRequired[Union[int, str]], "table": NotRequired["ThicknessTable"], "taper": NotRequired["Taper"], "thickness": Union[float, str], "values": NotRequired[str]})
     Imperfection = TypedDict("Imperfection", {"amplitude": Union[float, str], "half_waves": NotRequired[Sequence[Union[int, str]]], "mode": NotRequired[Union[int, str]]})
@@ -133,7 +139,7 @@ if TYPE_CHECKING:
     Linear2 = TypedDict("Linear2", {"iterations": NotRequired[Union[int, str]], "solver": NotRequired["LinearSolver"]})
     LinearSolver: TypeAlias = Union[Literal['direct'], Literal['conjugate-gradients']]
     Liquid = TypedDict("Liquid", {"density": Union[float, str], "kinematic_viscosity": NotRequired[Union[float, str]], "sound_speed": Union[float, str]})
-    Load = TypedDict("Load", {"amplitude": NotRequired["Amplitude"], "couple": NotRequired["Couple"], "force": NotRequired["Force2"], "gas": NotRequired["Gas"], "gravity": NotRequired["Gravity"], "on": Union[str, Sequence[str]], "preload": NotRequired[bool], "pressure": NotRequired["Pressure"], "traction": NotRequired["Traction"], "volume": NotRequired["Volume"]})
+    Load = TypedDict("Load", {"amplitude": NotRequired["Amplitude"], "couple": NotRequired["Couple"], "force": NotRequired["Force2"], "gas": NotRequired["Gas"], "gravity": NotRequired["Gravity"], "on": Union[str, Sequence[str]], "preload": NotRequired[bool], "pressure": NotRequired["Pressure"], "temperature": NotRequired["Temperature"], "traction": NotRequired["Traction"], "volume": NotRequired["Volume"]})
     LumpedMass = TypedDict("LumpedMass", {"mass": Union[float, str], "on": str})
     Material_1 = TypedDict("Material_1", {"elastic": "Elastic"})
     Material_2 = TypedDict("Material_2", {"orthotropic": "Orthotropic"})
@@ -155,7 +161,7 @@ if TYPE_CHECKING:
     OfFile: TypeAlias = Mapping[str, Any]
     OnPlane = TypedDict("OnPlane", {"normal": Sequence[Union[float, str]], "point": Sequence[Union[float, str]], "within": NotRequired[Union[float, str]]})
     Orientation = TypedDict("Orientation", {"axis": Sequence[Union[float, str]], "degrees": Union[float, str]})
-    Orthotropic = TypedDict("Orthotropic", {"density": Union[float, str], "poisson": Union[float, str], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]], "young_across": Union[float, str], "young_along": Union[float, str]})
+    Orthotropic = TypedDict("Orthotropic", {"density": Union[float, str], "expansion": NotRequired[Sequence[Union[float, str]]], "poisson": Union[float, str], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]], "young_across": Union[float, str], "young_along": Union[float, str]})
     OrthotropicSolid = TypedDict("OrthotropicSolid", {"axes": NotRequired[Sequence[Sequence[Union[float, str]]]], "density": Union[float, str], "poisson": Sequence[Union[float, str]], "shear": Sequence[Union[float, str]], "young": Sequence[Union[float, str]]})
     Output = TypedDict("Output", {"checkpoint_every": NotRequired[Union[float, str]], "fields": NotRequired["Fields"], "plot": NotRequired["Plot"]})
     PartFormulation = TypedDict("PartFormulation", {"stress-point": NotRequired["PartStressPoint"]})
@@ -165,7 +171,7 @@ if TYPE_CHECKING:
     Plane: TypeAlias = Union[Literal['stress'], Literal['strain']]
     Plastic = TypedDict("Plastic", {"anisotropy": NotRequired["Anisotropy"], "back-stresses": NotRequired[Sequence["BackStress"]], "density": Union[float, str], "hardening": "Hardening", "kinematic": NotRequired[Union[float, str]], "poisson": Union[float, str], "rate": NotRequired["Rate"], "young": Union[float, str]})
     Plate = TypedDict("Plate", {"disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[Union[float, str]]], "lengths": Sequence[Union[float, str]], "particles": NotRequired[Sequence[Union[int, str]]], "scattered": NotRequired["Scattered"]})
-    Plot = TypedDict("Plot", {"x": str, "y": str})
+    Plot = TypedDict("Plot", {"log_x": NotRequired[bool], "log_y": NotRequired[bool], "x": str, "y": str})
     Ply = TypedDict("Ply", {"angle": Union[float, str], "material": NotRequired["Material"], "slices": NotRequired[Union[int, str]], "thickness": Union[float, str]})
     Polygon = TypedDict("Polygon", {"corners": Sequence[Sequence[Union[float, str]]]})
     Polyline = TypedDict("Polyline", {"points": Sequence[Sequence[Union[float, str]]], "side": "LineSide"})
@@ -176,6 +182,7 @@ if TYPE_CHECKING:
     Rate_1 = TypedDict("Rate_1", {"cowper-symonds": "CowperSymonds"})
     Rate_2 = TypedDict("Rate_2", {"johnson-cook": "JohnsonCook"})
     Rate: TypeAlias = Union["Rate_1", "Rate_2"]
+    RayleighDamping = TypedDict("RayleighDamping", {"mass": NotRequired[Union[float, str]], "stiffness": NotRequired[Union[float, str]]})
     Reach: TypeAlias = Union[Literal['cell'], Union[float, str]]
     Region = TypedDict("Region", {"box": NotRequired["Box3"], "difference": NotRequired[Sequence[str]], "intersection": NotRequired[Sequence[str]], "layer": NotRequired["Layer"], "near": NotRequired["Near"], "nearest": NotRequired[Sequence[Union[float, str]]], "of": NotRequired[str], "plane": NotRequired["OnPlane"], "union": NotRequired[Sequence[str]]})
     Relaxation = TypedDict("Relaxation", {"damping": NotRequired["RelaxationDamping"], "force": NotRequired[Union[float, str]], "iterations": NotRequired[Union[int, str]], "levels": "Levels", "tolerance": NotRequired[Union[float, str]]})
@@ -200,6 +207,7 @@ if TYPE_CHECKING:
     Section_2 = TypedDict("Section_2", {"layered": "Layered"})
     Section_3 = TypedDict("Section_3", {"file": "OfFile"})
     Section: TypeAlias = Union["Section_1", "Section_2", "Section_3"]
+    ShakenBase = TypedDict("ShakenBase", {"acceleration": Sequence[Union[float, str]], "response": NotRequired["BaseResponse"]})
     ShellFace: TypeAlias = Union[Literal['top'], Literal['bottom']]
     ShellPart = TypedDict("ShellPart", {"formulation": NotRequired["PartFormulation"], "material": NotRequired["Material"], "offset": NotRequired[Union[float, str]], "on": str, "section": NotRequired["Section"]})
     ShellScene = TypedDict("ShellScene", {"formulation": NotRequired["Formulation"], "geometry": "Geometry", "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": "Material", "orientation": NotRequired["Orientation"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": "Section", "ties": NotRequired[Sequence["ShellTie"]], "tools": NotRequired[Sequence["ToolScene"]], "velocity": NotRequired["Velocity"], "wet": NotRequired["WetFaces"]})
@@ -229,6 +237,7 @@ if TYPE_CHECKING:
     Symmetry = TypedDict("Symmetry", {"normal": Sequence[Union[float, str]]})
     Take: TypeAlias = Union[Literal['mean'], Literal['sum'], Literal['max'], Literal['min']]
     Taper = TypedDict("Taper", {"gradient": Sequence[Union[float, str]], "point": Sequence[Union[float, str]]})
+    Temperature = TypedDict("Temperature", {"change": NotRequired[Union[float, str]], "difference": NotRequired[Union[float, str]], "values": NotRequired[str]})
     ThicknessTable = TypedDict("ThicknessTable", {"column": str, "file": str})
     Through = TypedDict("Through", {"max": NotRequired[Sequence[Union[float, str]]], "min": NotRequired[Sequence[Union[float, str]]], "normal": Sequence[Union[float, str]], "point": Sequence[Union[float, str]]})
     Time: TypeAlias = Union[Literal['s'], Literal['ms'], Literal['us'], Literal['-']]
@@ -245,6 +254,10 @@ if TYPE_CHECKING:
     TwoSheets = TypedDict("TwoSheets", {"correction": NotRequired["Correction"], "horizon": NotRequired[Union[float, str]], "influence": NotRequired["Influence"]})
     Units = TypedDict("Units", {"force": "Force", "length": "Length", "time": "Time"})
     Velocity = TypedDict("Velocity", {"linear": NotRequired[Sequence[Union[float, str]]], "on": NotRequired[str], "spin": NotRequired["Spin"]})
+    VibrationDamping_1 = TypedDict("VibrationDamping_1", {"ratio": Union[float, str]})
+    VibrationDamping_2 = TypedDict("VibrationDamping_2", {"rayleigh": "RayleighDamping"})
+    VibrationDamping_3 = TypedDict("VibrationDamping_3", {"structural": Union[float, str]})
+    VibrationDamping: TypeAlias = Union["VibrationDamping_1", "VibrationDamping_2", "VibrationDamping_3"]
     Voce = TypedDict("Voce", {"rate": Union[float, str], "rise": Union[float, str], "yield-stress": Union[float, str]})
     Volume = TypedDict("Volume", {"added": Union[float, str], "beside": NotRequired[Union[float, str]], "bulk_modulus": Union[float, str]})
     Wall = TypedDict("Wall", {"normal": Sequence[Union[float, str]], "point": Sequence[Union[float, str]]})
