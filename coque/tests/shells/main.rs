@@ -6,8 +6,6 @@
 mod common;
 #[path = "../../../mesh-io/tests/common/mod.rs"]
 mod meshes;
-#[path = "../common/refused.rs"]
-mod refused;
 #[path = "../common/strip.rs"]
 mod strip;
 

@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::refused::refused;
+use crate::common::refused::refused;
 use crate::strip::{THIN, last, run, strip};
 use coque::{Rendering, Scene, render};
 

@@ -156,8 +156,8 @@ impl<S: Joinable + ?Sized> Equilibrium for Several<S> {
     }
 
     fn pattern_changed(&mut self, level: f64) -> bool {
-        let mut changed =
-            self.systems.iter_mut().fold(false, |any, system| system.pattern_changed(level) || any);
+        let mut changed = false;
+        self.systems.iter_mut().for_each(|system| changed |= system.pattern_changed(level));
         if !self.acting.is_empty() {
             self.systems.iter_mut().for_each(|system| system.put(level));
         }

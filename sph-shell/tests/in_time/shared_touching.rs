@@ -103,8 +103,8 @@ fn touched(plan: &Plan, mut shell: Shell) -> (Vec<String>, Vec<u64>) {
 
 #[test]
 fn what_sees_the_whole_shell_tells_the_same_whoever_marches_it() {
-    let bodies: [(&str, fn(usize) -> Shell); 3] = [("thrown", thrown), ("boxed", boxed), ("loaded", loaded)];
-    for (name, body) in bodies {
+    let bodies: [fn(usize) -> Shell; 3] = [thrown, boxed, loaded];
+    for (name, body) in ["thrown", "boxed", "loaded"].into_iter().zip(bodies) {
         assert!(body(1).len() > 2 * CHUNK);
         for (number, mut plan) in plans().into_iter().enumerate() {
             if let (Plan::Transient(transient), "thrown") = (&mut plan, name) {
