@@ -12,8 +12,8 @@ use coque::{Ended, Outcome, Progress, ProgressReport, Ranks, RunOptions, Silent}
 use peers::together;
 
 /// Scenes of several chunks that take a second or two, one for each way to march and one that relaxes, and of what everyone evaluates for all of
-/// the shell: tools, a shell that touches itself, a gas.
-const SHELLS: [(&str, Replaced<'static>); 7] = [
+/// the shell: tools, a shell that touches itself, a gas; one that is heated.
+const SHELLS: [(&str, Replaced<'static>); 8] = [
     (
         "panel.toml",
         &[
@@ -65,6 +65,13 @@ const SHELLS: [(&str, Replaced<'static>); 7] = [
         &[
             ("geometry.plate.particles", "[31, 31]"),
             ("analysis", "{ explicit = { transient = { duration = 0.05, record_every = 0.01 } } }"),
+        ],
+    ),
+    (
+        "bimetal-strip.toml",
+        &[
+            ("geometry.plate.particles", "[101, 11]"),
+            ("analysis", "{ explicit = { transient = { duration = 1e-4, record_every = 2e-5 } } }"),
         ],
     ),
 ];

@@ -5,7 +5,7 @@
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
-use crate::common::{Replaced, column, last, overridden, ran, refusal};
+use crate::common::{Replaced, column, last, overridden, ran, refusal, run};
 use coque::{Ended, Outcome, Progress, ProgressReport, WarningKind};
 
 const SHAKEN: &str = "cantilever-shaken.toml";
@@ -178,6 +178,38 @@ fn what_comes_in_is_taken() {
             assert!((external[i] / taken - 1.0).abs() < 1e-9, "{} {taken}", external[i]);
         }
     }
+}
+
+/// Half of a strip with a mirror along its middle swings as the whole, shaken and pressed on; clamped at its other end it swings alike.
+#[test]
+fn half_a_strip_swings_as_the_whole_and_its_mirror_alike() {
+    let analysis = "{ harmonic = { frequencies = [8.0, 17.0, 60.0, 103.0, 140.0], damping.structural = 0.04, base.acceleration = [0, 0, 1] } }";
+    let pressed = "[{ on = \"all\", pressure = { value = 3.0 } }]";
+    let found = |replaced: Replaced| {
+        // The mean over an end counts particles in the mirror as often as others in the half.
+        let replaced =
+            [&[("analysis", analysis), ("loads", pressed), ("curve[0].on", "u1v1")], replaced].concat();
+        let outcome = run(SHAKEN, &replaced);
+        assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
+        outcome
+    };
+    let whole = found(&[]);
+    let half = found(&[
+        ("geometry.plate", "{ lengths = [0.5, 0.025], particles = [81, 3] }"),
+        ("supports[+]", "{ on = \"v0\", symmetry = { normal = [0, 1, 0] } }"),
+    ]);
+    let mirrored = found(&[("supports[0].on", "u1"), ("curve[0].on", "u0v1"), ("curve[1].on", "u1")]);
+    let far = |one: &Outcome, factor: f64, name: &str| {
+        let pairs = parts(one, name).into_iter().zip(parts(&whole, name));
+        pairs.map(|([a, b], of)| apart([factor * a, factor * b], of)).fold(0.0, f64::max)
+    };
+    let misses =
+        [far(&half, 1.0, "tip"), far(&half, 2.0, "R"), far(&mirrored, 1.0, "tip"), far(&mirrored, 1.0, "R")];
+    println!("{misses:?}");
+    // Masses have Gregory's rule along edges (sph-shell/src/second_moments.rs), of the half along its mirror too, where the whole has the trapezoidal
+    // one: both are exact to the fourth order of the spacing. Measured 2.9e-6 and 1.6e-6; in the mirror slopes, which are differences, 1.8e-7.
+    let (half, mirrored) = misses.split_at(2);
+    assert!(half.iter().all(|miss| *miss < 9e-6) && mirrored.iter().all(|miss| *miss < 6e-7), "{misses:?}");
 }
 
 #[test]

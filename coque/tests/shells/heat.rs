@@ -4,6 +4,7 @@
 
 use std::sync::Arc;
 
+use crate::common::sittings::stopped_again_and_again;
 use crate::common::{Replaced, column, last, overridden, run, text};
 use coque::{Ended, Outcome, Rendering, Scene, Silent, WarningKind, render};
 
@@ -127,6 +128,34 @@ fn half_a_plate_buckles_as_the_whole() {
     ];
     let half = last(&done(run(PLATE, &half)), "level");
     assert!((half / whole - 1.0).abs() < 1e-9, "{half} {whole}");
+}
+
+/// A heated strip that is stopped goes on to the same bits, at rest and in time.
+#[test]
+fn a_heated_strip_goes_on_to_the_same_bits() {
+    let lattice = ("geometry.plate.particles", "[21, 3]");
+    let transient = ("analysis", "{ explicit = { transient = { duration = 0.01, record_every = 1e-3 } } }");
+    stopped_again_and_again("heated-in-time", &text(STRIP), &[lattice, transient], 3);
+    stopped_again_and_again("heated-at-rest", &text(STRIP), &[lattice, ("analysis.static.levels", "8")], 2);
+}
+
+/// In the mirror of its plane a strip has its plies the other way round, and bends the other way; half of a heat twice is all of it.
+#[test]
+fn mirrored_it_bends_the_other_way_and_halves_add_up() {
+    let plies = "[{ thickness = 0.0005, angle = 0.0 }, { thickness = 0.0005, angle = 0.0, material = { elastic = \
+                 { young = 100e9, poisson = 0.3, density = 8500.0, expansion = 19e-6 } } }]";
+    let alone = done(run(STRIP, &[]));
+    let mirrored = done(run(STRIP, &[("section.layered.plies", plies)]));
+    let halves = [
+        ("loads[0].temperature", "{ change = 50.0 }"),
+        ("loads[+]", "{ on = \"all\", temperature = { change = 50.0 } }"),
+    ];
+    let halves = done(run(STRIP, &halves));
+    for name in ["turn", "w_end"] {
+        let [alone, mirrored, halves] = [&alone, &mirrored, &halves].map(|run| last(run, name));
+        assert!((mirrored / alone + 1.0).abs() < 1e-9, "{name}: {mirrored} {alone}");
+        assert!((halves / alone - 1.0).abs() < 1e-12, "{name}: {halves} {alone}");
+    }
 }
 
 /// Changes at particles multiply the change of the load, in a cell by their mean.

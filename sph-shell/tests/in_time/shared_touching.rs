@@ -4,7 +4,7 @@
 use crate::common::{DENSITY, Sheets, YOUNG, flat, parts, supported};
 use crate::shared::{marched, plans, shared};
 use contact::{Law, ToolShape, stiffness};
-use explicit_dynamics::{Amplitude, Plan};
+use explicit_dynamics::{Amplitude, Plan, Transient};
 use peers::{CHUNK, together};
 use shell_kinematics::StretchCorrected;
 use sph_core::{Cloud, Cylinder, EndWeights, Side, Vec3, lattice};
@@ -131,5 +131,31 @@ fn what_sees_the_whole_shell_tells_the_same_whoever_marches_it() {
                 assert!(lost > 0.0 && (own > 0.0 || tool > 0.0));
             }
         }
+    }
+}
+
+/// Three march a tube until its walls rub, others go on from what they kept: to the bits of one.
+#[test]
+fn a_march_in_contact_goes_on_with_other_peers() {
+    let first = Transient { duration: 1.06, record_every: 0.2, damping: 0.0, safety: 0.8 };
+    let second = Plan::from(Transient { duration: 0.1, ..first });
+    let kept = together(3, |peers| {
+        let mut shell = shared(thrown(1), peers);
+        marched(&first.into(), &mut shell);
+        let [state, rates] = shell.motion().map(<[[f64; 6]]>::to_vec);
+        let lost: f64 = (0..shell.len()).map(|a| shell.friction_loss(a)).sum();
+        (state, rates, shell.history(), shell.contact_state(), lost)
+    });
+    let (state, rates, history, contact, lost) = &kept.unwrap()[1];
+    assert!(!contact.is_empty() && *lost > 0.0, "nothing rubs");
+    let go_on = |mut shell: Shell| {
+        assert!(shell.take_up([state, rates]) && shell.take_up_history(history));
+        assert!(shell.take_up_contact(contact));
+        touched(&second, shell)
+    };
+    let alone = go_on(thrown(1));
+    for count in [2, 4] {
+        let all = together(count, |peers| go_on(shared(thrown(2), peers))).unwrap();
+        assert!(all.iter().all(|found| *found == alone), "{count} peers");
     }
 }
