@@ -5,6 +5,15 @@ use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+/// Works on a thread that Python knows from begin to end, and has no hold of the interpreter: each call back then finds the state that
+/// Python keeps of a thread. A state made and dropped in each step costs time, and whoever forks meanwhile may find the lock of the list of
+/// states taken in the child, for good.
+pub fn known_to_python(work: &mut (dyn FnMut() + Send)) {
+    if Python::try_attach(|py| py.detach(&mut *work)).is_none() {
+        work();
+    }
+}
+
 /// A function `f(t, x, v)` of Python as one that exerts forces, its `t` a time or, `by_level`, a load level; what it raises goes to `ends`,
 /// and the forces of the step before stay.
 pub fn exerted(function: Py<PyAny>, by_level: bool, ends: impl Fn(PyErr) + Send + Sync + 'static) -> Exert {

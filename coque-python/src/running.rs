@@ -15,6 +15,7 @@ use crate::brought::Brought;
 use crate::drawn::{Gather, Shown, array};
 use crate::errors::{failed, refused};
 use crate::outcome::found;
+use crate::push::known_to_python;
 use crate::watched::{Watch, watched};
 
 /// Values that are replaced in a scene, with their paths.
@@ -85,6 +86,7 @@ pub fn ran(
     if let Some(function) = push {
         let by_level = !model.task.analysis.kind().passes_time;
         model.push(watch.exert(function, by_level)).map_err(|error| error.to_string())?;
+        model.surround(known_to_python);
     }
     watch.said.extend(model.memory.warning());
     let asked = model.task.output.fields;

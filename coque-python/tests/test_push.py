@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -37,6 +38,22 @@ def test_a_force_has_the_bits_of_the_same_load() -> None:
         assert np.array_equal(result.curve.rows, by_scene.curve.rows)
     assert "forces that a function of the caller exerts" in result.summary["modelled"]
     assert "loads" not in result.summary["left_out"]
+
+
+def test_each_call_is_made_on_a_thread_that_python_knows_already() -> None:
+    # What Python keeps of a thread goes when it lets go of the thread: a count of one in each call would tell so.
+    calls = threading.local()
+
+    def push(time: float, x: Rows, v: Rows) -> Rows:
+        calls.count = getattr(calls, "count", 0) + 1
+        most.append(calls.count)
+        return np.zeros_like(x)
+
+    for threads in (1, 2):
+        most: list[int] = []
+        marched().run(push=push, threads=threads)
+        assert most == list(range(1, len(most) + 1))
+        assert len(most) > 100
 
 
 def test_it_sees_times_places_and_velocities_and_its_work_is_counted() -> None:

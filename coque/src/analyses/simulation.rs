@@ -237,15 +237,25 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Works in the pool of the simulation, if it has one and does not do so already.
+    /// Works in the pool of the simulation, if it has one and does not do so already, and there in what surrounds the work.
     fn in_pool(&mut self, work: impl FnOnce(&mut Self) + Send) {
         match self.pool.take() {
             Some(pool) => {
-                pool.install(|| work(self));
+                pool.install(|| self.surrounded(work));
                 self.pool = Some(pool);
             }
-            None => work(self),
+            None => self.surrounded(work),
         }
+    }
+
+    fn surrounded(&mut self, work: impl FnOnce(&mut Self) + Send) {
+        let Some(surrounding) = self.model.surrounding else { return work(self) };
+        let mut work = Some(work);
+        surrounding(&mut || {
+            if let Some(work) = work.take() {
+                work(self);
+            }
+        });
     }
 
     fn outcome(self) -> Outcome {

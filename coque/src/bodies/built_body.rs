@@ -64,6 +64,7 @@ impl BuiltBody<Ready> {
             barred,
             increments: Vec::new(),
             ranks: None,
+            surrounding: None,
         }
     }
 }

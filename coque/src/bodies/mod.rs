@@ -60,7 +60,7 @@ pub use figures::FluidFigures;
 pub use glue_now::GlueNow;
 pub use memory::Memory;
 pub(crate) use model::Identity;
-pub use model::{Model, NoPush, Task};
+pub use model::{Model, NoPush, Surrounding, Task};
 pub use one_process::{NotShared, OneProcess};
 pub use outline::Outline;
 pub use probe::Probe;

@@ -74,7 +74,12 @@ pub struct Model {
     pub(crate) increments: Vec<Vec<f64>>,
     /// Those who run it together; none where one process does.
     pub(crate) ranks: Option<Ranks>,
+    /// What its work is done in, on the thread that does it; nothing where none is asked for.
+    pub(crate) surrounding: Option<Surrounding>,
 }
+
+/// Calls what it is given, once, on the same thread: the place for what a thread needs before it may be called back on.
+pub type Surrounding = fn(&mut (dyn FnMut() + Send));
 
 /// Why no function can exert forces on a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -125,6 +130,7 @@ impl Model {
             barred: None,
             increments: Vec::new(),
             ranks: None,
+            surrounding: None,
             sets: BTreeMap::new(),
         }
     }
@@ -150,6 +156,12 @@ impl Model {
         self.description.left_out.retain(|line| line != "loads");
         self.description.modelled.push("forces that a function of the caller exerts".into());
         Ok(())
+    }
+
+    /// Does its work in such a function, on whichever thread does it: the one that calls, or one of its own pool, once for a run or for
+    /// each [`crate::Simulation::advance`].
+    pub fn surround(&mut self, surrounding: Surrounding) {
+        self.surrounding = Some(surrounding);
     }
 
     /// Runs it with others, each of whom has built the same model and calls this; the first of them has the results of all.
