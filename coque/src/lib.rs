@@ -52,7 +52,7 @@
 //! | a scene says | and gets |
 //! |---|---|
 //! | `geometry` | a cloud of `sph-core`, or a mesh by [`mesh::Surface::cloud`] |
-//! | `material`, `section` | a section of `shell-kinematics`; of `layered` the plies with a material axis |
+//! | `material`, `section` | a section of `shell-kinematics`; of `layered` the plies with a material axis, of `stiffness` its matrices |
 //! | `parts` | regions of `sph-shell`: cells with a section and height of their own |
 //! | `formulation` | the formulation in `sph-shell`, with the strain measure |
 //! | `supports`, `loads` | supports and loads of `sph-shell` on named sets of particles |

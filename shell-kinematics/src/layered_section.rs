@@ -15,12 +15,10 @@
 use crate::expansion::Expansion;
 use crate::pack::Pack;
 use crate::section::{Isotropic, MaterialError, Section, SectionScales, finite_expansion, linear_tangent};
+use crate::stiffness::{Matrix3, Stiffness};
 use crate::strains::{Resultants, Strains};
 use crate::tangent::Matrix8;
 use crate::transverse_shear::{Sheared, shear_correction};
-
-/// Symmetric 3×3 matrix over the components 11, 22, 12 (the last as engineering shear).
-type Matrix3 = [[f64; 3]; 3];
 
 /// Orthotropic linear elasticity of a ply in plane stress: one axis along the fibre, one across it.
 #[derive(Clone, Copy, Debug)]
@@ -158,14 +156,7 @@ pub struct Ply {
 /// bending, 5/6 of plies of one material, small where a soft core lies between stiff faces (transverse_shear.rs).
 #[derive(Clone, Copy, Debug)]
 pub struct LayeredSection {
-    /// A \[F/L\].
-    membrane: Matrix3,
-    /// B \[F\].
-    coupling: Matrix3,
-    /// D \[F L\].
-    bending: Matrix3,
-    /// Transverse shear stiffness \[F/L\].
-    shear: [[f64; 2]; 2],
+    stiffness: Stiffness,
     scales: SectionScales,
     expansion: Option<Expansion>,
 }
@@ -208,20 +199,16 @@ impl LayeredSection {
             bottom += t;
         }
         let stiffest = plies.iter().fold(0.0_f64, |most, ply| most.max(ply.material.stiffest()));
-        let scales = SectionScales {
-            thickness,
-            bending: mean_over_directions(&released(&membrane, &coupling, &bending)),
-            shear: 0.5 * (shear[0][0] + shear[1][1]),
-            membrane: stiffest * thickness,
-        };
-        Ok(Self { membrane, coupling, bending, shear, scales, expansion })
+        let stiffness = Stiffness { membrane, coupling, bending, shear };
+        let scales = stiffness.scales(thickness, stiffest * thickness);
+        Ok(Self { stiffness, scales, expansion })
     }
 }
 
 impl LayeredSection {
     /// Transverse shear stiffness \[F/L\].
     pub(crate) fn transverse_shear(&self) -> &[[f64; 2]; 2] {
-        &self.shear
+        &self.stiffness.shear
     }
 }
 
@@ -231,53 +218,13 @@ fn add<const N: usize>(sum: &mut [[f64; N]; N], matrix: &[[f64; N]; N], factor: 
     }
 }
 
-/// Mean over all directions of the first diagonal entry, `U1`.
-fn mean_over_directions(m: &Matrix3) -> f64 {
-    (3.0 * (m[0][0] + m[1][1]) + 2.0 * m[0][1] + 4.0 * m[2][2]) / 8.0
-}
-
-/// `D − BA⁻¹B`: what bending meets where the membrane may follow free of force.
-fn released(a: &Matrix3, b: &Matrix3, d: &Matrix3) -> Matrix3 {
-    // Gauss without pivoting on [A | B]: A is positive definite.
-    let (mut left, mut right) = (*a, *b);
-    for k in 0..3 {
-        let (pivot, own, answer) = (left[k][k], left[k], right[k]);
-        for i in 0..3 {
-            let factor = if i == k { 1.0 - 1.0 / pivot } else { left[i][k] / pivot };
-            for j in 0..3 {
-                left[i][j] -= factor * own[j];
-                right[i][j] -= factor * answer[j];
-            }
-        }
-    }
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| d[i][j] - (0..3).map(|k| b[i][k] * right[k][j]).sum::<f64>())
-    })
-}
-
-/// `m s`, added to `out`.
-#[inline(always)]
-fn multiply<const N: usize>(m: &[[f64; N]; N], s: &[Pack; N], out: &mut [Pack; N]) {
-    for (value, row) in out.iter_mut().zip(m) {
-        for (strain, factor) in s.iter().zip(row) {
-            *value += *strain * *factor;
-        }
-    }
-}
-
 impl Section for LayeredSection {
     fn linear(&self) -> bool {
         true
     }
 
     fn resultants(&self, strains: &Strains) -> Resultants {
-        let mut out = Resultants::default();
-        multiply(&self.membrane, &strains.membrane, &mut out.membrane);
-        multiply(&self.coupling, &strains.curvature, &mut out.membrane);
-        multiply(&self.coupling, &strains.membrane, &mut out.moment);
-        multiply(&self.bending, &strains.curvature, &mut out.moment);
-        multiply(&self.shear, &strains.shear, &mut out.shear);
-        out
+        self.stiffness.resultants(strains)
     }
 
     fn tangent(&self, _: &Strains) -> Matrix8 {
@@ -292,9 +239,6 @@ impl Section for LayeredSection {
         self.resultants(strains).work(strains) * 0.5
     }
 
-    /// Bending and shear are means over all directions in the surface, the only sizes of a matrix that, like the control
-    /// they scale, know no axes and equal those of an isotropic section. The stiffest direction has three times the mean at
-    /// most (D22 = D11/9, D12 = −D11/3, D66 = 0). Bending is `D − BA⁻¹B`, since patterns of cells leave the membrane nearly free.
     /// Membrane is that of the stiffest ply in its stiffest direction through the whole thickness: no wave is faster.
     fn scales(&self) -> SectionScales {
         self.scales

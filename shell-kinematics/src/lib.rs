@@ -82,6 +82,7 @@
 //! LayeredSection      N = A e + B κ    M = B e + D κ    A, B, D = Σ_k ∫ Q̄_k (1, ζ, ζ²) dζ    Q = k Σ_k t_k Ḡ_k γ
 //! ```
 //!
+//! A [`GivenSection`] has A, B, D and a stiffness S of transverse shear as they are given: of sandwich, corrugated and stiffened sheets.
 //! Here ζ runs through the thickness, 5/6 is Reissner's factor of the homogeneous section. Plies are orthotropic in
 //! plane stress ([`Orthotropic`]: `Q11 = E_L/(1−ν²E_T/E_L)`, `Q22 = Q11 E_T/E_L`, `Q12 = ν Q22`, `Q66 = G_LT`, ν =
 //! ν_LT) and rotated by the invariants of \[tsai1968\]. Bending in the scales of a laminate is `D − BA⁻¹B`, the
@@ -213,6 +214,7 @@
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod expansion;
+mod given_section;
 mod history_pack;
 mod inelastic;
 mod integrated_section;
@@ -226,6 +228,7 @@ mod rotation;
 mod section;
 mod section_pack;
 mod slope;
+mod stiffness;
 mod strain;
 mod strain_measures;
 mod strain_pack;
@@ -235,6 +238,7 @@ mod tangent;
 mod transverse_shear;
 
 pub use expansion::{Blocked, Expansion};
+pub use given_section::GivenSection;
 pub use history_pack::{Commit, Flowed, HistoryPack, YieldingPack};
 pub use inelastic::{
     BackStress, Hardening, MOST_BACK_STRESSES, Plastic, PlasticPly, PlasticSection, PlyMaterial, RValues,
@@ -252,6 +256,7 @@ pub use section::{
     Isotropic, IsotropicSection, MaterialError, Section, SectionOf, SectionScales, linear_tangent,
 };
 pub use section_pack::SectionPack;
+pub use stiffness::Stiffness;
 pub use strain::{GreenLagrange, StrainMeasure, StrainsOf, StretchCorrected};
 pub use strain_measures::{strain_measure, strain_measures};
 pub use strain_pack::StrainPack;

@@ -131,6 +131,13 @@ pub enum MaterialError {
     NoPlies,
     /// The angle of a ply must be finite.
     Angle(f64),
+    /// A matrix of a given stiffness is none of an elastic section.
+    Stiffness {
+        /// Which one.
+        what: &'static str,
+        /// What it must be.
+        bound: &'static str,
+    },
     /// A constant of a law lies outside its bound.
     Constant {
         /// Which one.
@@ -169,6 +176,7 @@ impl std::fmt::Display for MaterialError {
             ),
             Self::NoPlies => write!(f, "there is no ply; give at least one"),
             Self::Angle(v) => write!(f, "the angle of a ply is {v}; it must be finite"),
+            Self::Stiffness { what, bound } => write!(f, "the matrix `{what}` must be {bound}"),
             Self::Constant { what, value, bound } => write!(f, "{what} is {value}; it must be {bound}"),
             Self::Row { row, what, value, bound } => {
                 write!(f, "{what} of row {row} of the hardening table is {value}; it must be {bound}")

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 96] = [
+const EXAMPLES: [Example; 97] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -108,6 +108,7 @@ const EXAMPLES: [Example; 96] = [
     Example::new("ring-green-lagrange", 6.0, include_str!("../../../scenes/ring-green-lagrange.toml")),
     Example::new("ring-pressure", 0.1, include_str!("../../../scenes/ring-pressure.toml")),
     Example::new("roof-collapsing", 20.0, include_str!("../../../scenes/roof-collapsing.toml")),
+    Example::new("sandwich-panel", 0.2, include_str!("../../../scenes/sandwich-panel.toml")),
     Example::new("scordelis-lo", 0.1, include_str!("../../../scenes/scordelis-lo.toml")),
     Example::new("shell-in-water", 24.0, include_str!("../../../scenes/shell-in-water.toml")),
     Example::new("spinning-block", 0.1, include_str!("../../../scenes/spinning-block.toml")),

@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 51] = [
+const SCENES: [(&str, Replaced); 52] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -38,6 +38,7 @@ const SCENES: [(&str, Replaced); 51] = [
     ("cantilever-shaken.toml", &SHAKEN),
     ("cantilever-shaken.toml", &SHAKEN_DIRECTLY),
     ("heated-plate.toml", &[]),
+    ("sandwich-panel.toml", &[]),
     ("bimetal-strip.toml", &[]),
     ("ring.toml", &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")]),
     ("strip-over-drum.toml", &[("analysis.static.levels", "4"), ("geometry.plate.particles", "[26, 3]")]),

@@ -13,6 +13,7 @@ mod branches;
 mod buckling;
 mod conjugate_gradients;
 mod enclosed;
+mod given;
 mod harmonic;
 mod heat;
 mod imperfection;

@@ -122,6 +122,11 @@ fn lists(
             Some(points) => format!("isotropic elasticity, {points} Gauss points through the thickness"),
         }),
         Section::File(_) => modelled.push("isotropic elasticity, sections of the file in closed form".into()),
+        Section::Stiffness(section) => {
+            let [x, y, z] = section.axis;
+            let coupled = section.coupling.map_or("", |_| ", the membrane coupled with bending");
+            modelled.push(format!("elasticity of given stiffness from [{x}, {y}, {z}]{coupled}"));
+        }
         Section::Layered(section) => {
             modelled.push(describe_plies(section, &scene.shell.material));
             if scene.shell.yields_itself() {
@@ -173,7 +178,12 @@ fn lists(
         } else if matches!(scene.analysis, Analysis::Harmonic(_)) {
             left_out.push("stresses in the frames of peaks: columns have them".into());
         } else if !scene.shell.section.homogeneous() {
-            left_out.push("stresses of the plies: the fields hold resultants".into());
+            let of = if matches!(scene.shell.section, Section::Layered(_)) {
+                "stresses of the plies"
+            } else {
+                "stresses"
+            };
+            left_out.push(format!("{of}: the fields hold resultants"));
         }
     }
     (modelled, left_out)

@@ -371,6 +371,7 @@ fn refuse_points(scene: &ShellInScene<'_>, surface: &Surface) -> Result<(), Scen
         let repair = "make them equal, or take the column out of the file";
         let path = match &scene.shell.section {
             Section::Layered(_) => "section.layered.plies",
+            Section::Stiffness(_) => "section.stiffness.thickness",
             _ => "section.homogeneous.thickness",
         };
         return Err(scene.body_scope().value(path, own, &bound, repair));

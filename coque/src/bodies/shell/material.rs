@@ -1,8 +1,9 @@
 //! From a scene to what the particles are made of and how they are sampled: section, axes, strain measure, formulation.
 
 use shell_kinematics::{
-    BackStress, Hardening, IntegratedSection, Isotropic, IsotropicSection, LayeredSection, MaterialError,
-    Plastic, PlasticPly, PlasticSection, Ply, RValues, Rate, Rubber, RubberSection, Section, StrainMeasure,
+    BackStress, GivenSection, Hardening, IntegratedSection, Isotropic, IsotropicSection, LayeredSection,
+    MaterialError, Plastic, PlasticPly, PlasticSection, Ply, RValues, Rate, Rubber, RubberSection, Section,
+    Stiffness, StrainMeasure,
 };
 use sph_core::{CubicSpline, Vec3};
 use sph_shell::{Formulation, Reach};
@@ -27,6 +28,8 @@ pub(super) enum SectionSpec {
     Plastic(Plastic, f64, usize),
     /// Rubber through a thickness \[L\].
     Rubber(Rubber, f64),
+    /// Whatever it is, so stiff and of a thickness \[L\].
+    Given(Stiffness, f64),
 }
 
 impl SectionSpec {
@@ -35,13 +38,14 @@ impl SectionSpec {
         match self {
             Self::Isotropic(_, thickness, _)
             | Self::Plastic(_, thickness, _)
-            | Self::Rubber(_, thickness) => *thickness,
+            | Self::Rubber(_, thickness)
+            | Self::Given(_, thickness) => *thickness,
             Self::Layered(plies) => plies.iter().map(|ply| ply.thickness).sum(),
             Self::Yielding(plies) => plies.iter().map(|ply| ply.thickness).sum(),
         }
     }
 
-    /// The same, of another thickness \[L\]; plies stay as they are.
+    /// The same, of another thickness \[L\]; plies and given stiffnesses stay as they are.
     pub fn with_thickness(&self, thickness: f64) -> Self {
         match self {
             Self::Isotropic(material, _, points) => Self::Isotropic(*material, thickness, *points),
@@ -49,6 +53,7 @@ impl SectionSpec {
             Self::Rubber(material, _) => Self::Rubber(material.clone(), thickness),
             Self::Layered(plies) => Self::Layered(plies.clone()),
             Self::Yielding(plies) => Self::Yielding(plies.clone()),
+            Self::Given(stiffness, own) => Self::Given(*stiffness, *own),
         }
     }
 
@@ -59,7 +64,7 @@ impl SectionSpec {
             Self::Plastic(material, ..) => Some(material.elastic().young),
             // Incompressible.
             Self::Rubber(material, _) => Some(3.0 * material.shear()),
-            Self::Layered(_) | Self::Yielding(_) => None,
+            Self::Layered(_) | Self::Yielding(_) | Self::Given(..) => None,
         }
     }
 
@@ -81,6 +86,7 @@ impl SectionSpec {
                 Box::new(PlasticSection::new(material.clone(), *thickness, *slices)?)
             }
             Self::Rubber(material, thickness) => Box::new(RubberSection::new(material.clone(), *thickness)?),
+            Self::Given(stiffness, thickness) => Box::new(GivenSection::new(*stiffness, *thickness)?),
         })
     }
 }
@@ -163,6 +169,9 @@ impl Builder<'_> {
                 Ok(SectionSpec::Rubber(of, section.thickness.get()))
             }
             MaterialSection::Layered(material, section) => self.plies(material, section, s),
+            MaterialSection::Given(section) => {
+                Ok(SectionSpec::Given(section.matrices(), section.thickness.get()))
+            }
             MaterialSection::OfFile(..) => {
                 Err(model_error(self.scene.source, &s.path("section"), "a file gives its sections to cells"))
             }
@@ -176,6 +185,7 @@ impl Builder<'_> {
                 "section.homogeneous"
             }
             SectionSpec::Layered(_) | SectionSpec::Yielding(_) => "section.layered",
+            SectionSpec::Given(..) => "section.stiffness",
         };
         spec.try_section().map_err(|e| model_error(self.scene.source, &s.path(path), &e.to_string()))
     }
@@ -184,6 +194,7 @@ impl Builder<'_> {
     pub(crate) fn material_axis(&self, shell: &scene::ShellScene) -> Option<Vec3> {
         match (&shell.material, &shell.section) {
             (_, scene::Section::Layered(section)) => Some(self.turned(section.axis)),
+            (_, scene::Section::Stiffness(section)) => Some(self.turned(section.axis)),
             (scene::Material::Plastic(sheet), _) => sheet.anisotropy.map(|rolled| self.turned(rolled.axis)),
             _ => None,
         }

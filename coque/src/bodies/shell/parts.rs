@@ -280,6 +280,7 @@ fn line(name: &str, offset: f64, all: &[UniformPart]) -> String {
         Some(SectionSpec::Plastic(_, _, slices)) => format!(", yields, {slices} slices"),
         Some(SectionSpec::Yielding(plies)) => format!(", {} plies, which yield", plies.len()),
         Some(SectionSpec::Rubber(..)) => ", rubber".into(),
+        Some(SectionSpec::Given(..)) => ", of given stiffness".into(),
         _ => String::new(),
     };
     format!("part {name}: {cells}, thickness {thickness}{young}{law}{offset}")

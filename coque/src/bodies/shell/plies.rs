@@ -58,6 +58,6 @@ fn made_of(material: &Material, ply: &scene::Ply) -> Result<PlyMaterial, Materia
         Material::Elastic(m) => PlyMaterial::Elastic(isotropic(m.young.get(), m)?),
         Material::Plastic(m) => PlyMaterial::Plastic(plastic(m)?, ply.slices()),
         // The checks leave a ply no other.
-        Material::Rubber(_) | Material::File(_) => return Err(MaterialError::NoPlies),
+        Material::Rubber(_) | Material::Smeared(_) | Material::File(_) => return Err(MaterialError::NoPlies),
     })
 }

@@ -7,7 +7,7 @@ use super::build::Builder;
 use crate::bodies::refusal::model_error;
 use crate::scene::body_in_scene::OnSet;
 use crate::scene::error::SceneError;
-use crate::scene::{Formulation, Support};
+use crate::scene::{Formulation, Section, Support};
 
 impl Builder<'_> {
     /// Puts a refusal of the shell where the scene causes it.
@@ -24,7 +24,10 @@ impl Builder<'_> {
             ShellError::Space(
                 SpaceError::Undetermined { .. } | SpaceError::TooFew { .. } | SpaceError::NotConverged { .. },
             ) => of_body(reach),
-            ShellError::Space(SpaceError::AxisNormal { .. }) => of_body("section.layered.axis"),
+            ShellError::Space(SpaceError::AxisNormal { .. }) => match self.scene.shell.section {
+                Section::Stiffness(_) => of_body("section.stiffness.axis"),
+                _ => of_body("section.layered.axis"),
+            },
             ShellError::Space(_)
             | ShellError::Area { .. }
             | ShellError::ParallelDirectors { .. }

@@ -19,6 +19,8 @@ pub enum Material {
     Plastic(Plastic),
     /// Incompressible rubber.
     Rubber(Rubber),
+    /// Whatever a section of given stiffness is made of: it says how heavy that is.
+    Smeared(Smeared),
     /// The materials that the file of the mesh gives with its sections.
     File(OfFile),
 }
@@ -36,6 +38,7 @@ impl Material {
             Self::Orthotropic(_) => "orthotropic",
             Self::Plastic(_) => "plastic",
             Self::Rubber(_) => "rubber",
+            Self::Smeared(_) => "smeared",
             Self::File(_) => "file",
         }
     }
@@ -61,9 +64,18 @@ impl Material {
             Self::Orthotropic(material) => Some(material.density.get()),
             Self::Plastic(material) => Some(material.density.get()),
             Self::Rubber(material) => Some(material.density.get()),
+            Self::Smeared(material) => Some(material.density.get()),
             Self::File(_) => None,
         }
     }
+}
+
+/// What is left of materials whose stiffness the section gives.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Smeared {
+    /// Mass per area of the sheet over the thickness of its section \[F T²/L⁴\].
+    pub density: Positive,
 }
 
 /// Isotropic linear elasticity.

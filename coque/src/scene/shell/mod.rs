@@ -103,7 +103,7 @@ impl ShellScene {
     pub(crate) fn density(&self) -> Option<f64> {
         match &self.section {
             Section::Layered(section) => section.density(&self.material),
-            Section::Homogeneous(_) | Section::File(_) => self.material.density(),
+            Section::Homogeneous(_) | Section::Stiffness(_) | Section::File(_) => self.material.density(),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use shell_kinematics::Stiffness;
 
 use super::material::{Elastic, Material, OfFile};
 use super::plastic::Plastic;
@@ -17,6 +18,8 @@ pub enum Section {
     Homogeneous(Homogeneous),
     /// Plies on one another.
     Layered(Layered),
+    /// Stiffness as it is given: sandwich, corrugated or stiffened sheets.
+    Stiffness(GivenStiffness),
     /// The homogeneous sections that the file of the mesh gives to groups of its faces.
     File(OfFile),
 }
@@ -27,6 +30,7 @@ impl Section {
         match self {
             Self::Homogeneous(section) => Some(section.thickness.get()),
             Self::Layered(section) => Some(section.plies.iter().map(|ply| ply.thickness.get()).sum()),
+            Self::Stiffness(section) => Some(section.thickness.get()),
             Self::File(_) => None,
         }
     }
@@ -35,7 +39,7 @@ impl Section {
     pub(crate) fn materials<'a>(&'a self, shell: &'a Material) -> Vec<&'a Material> {
         match self {
             Self::Layered(section) => section.materials(shell).collect(),
-            Self::Homogeneous(_) | Self::File(_) => vec![shell],
+            Self::Homogeneous(_) | Self::Stiffness(_) | Self::File(_) => vec![shell],
         }
     }
 
@@ -76,6 +80,33 @@ impl Homogeneous {
     }
 }
 
+/// Forces and moments by strains and curvatures, `N = A e + B κ`, `M = B e + D κ`, `Q = S γ`, in the components 11, 22, 12; shear strain
+/// and twist are 2·12.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GivenStiffness {
+    /// Thickness \[L\]: between the faces, for pictures, contact and mass.
+    pub thickness: Positive,
+    /// Direction whose projection on the surface is that of the component 1, in the un-turned frame; 2 lies 90° from it about the normal.
+    pub axis: [f64; 3],
+    /// A \[F/L\], symmetric: `[[A11, A12, A16], [A12, A22, A26], [A16, A26, A66]]`.
+    pub membrane: [[f64; 3]; 3],
+    /// B \[F\], symmetric; none without.
+    pub coupling: Option<[[f64; 3]; 3]>,
+    /// D \[F L\], symmetric.
+    pub bending: [[f64; 3]; 3],
+    /// S of transverse shear \[F/L\], symmetric, with whatever factor the section has: `[[S11, S12], [S12, S22]]`, 1 across the surface along the axis.
+    pub shear: [[f64; 2]; 2],
+}
+
+impl GivenStiffness {
+    /// Its matrices.
+    pub(crate) fn matrices(&self) -> Stiffness {
+        let Self { membrane, coupling, bending, shear, .. } = *self;
+        Stiffness { membrane, coupling: coupling.unwrap_or_default(), bending, shear }
+    }
+}
+
 /// A thickness from a file of comma-separated values with columns `x`, `y`, `z` \[L\] and one of numbers, in the un-turned frame.
 ///
 /// A corner of a cell takes the number of the row nearest to it, no farther away than the cell is long, a cell the mean of its
@@ -105,6 +136,7 @@ pub(crate) enum MaterialSection<'a> {
     Plastic(&'a Plastic, &'a Homogeneous),
     Rubber(&'a Rubber, &'a Homogeneous),
     Layered(&'a Material, &'a Layered),
+    Given(&'a GivenStiffness),
     /// One of the two, or both, as the file gives them.
     OfFile(Option<&'a Elastic>, Option<&'a Homogeneous>),
 }

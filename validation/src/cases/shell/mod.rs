@@ -28,6 +28,7 @@ mod plate_on_gas;
 pub mod point_load_smoothness;
 mod ring;
 mod ring_green_lagrange;
+mod sandwich_panel;
 mod scordelis_lo;
 mod shortened;
 mod stepped_plate;
@@ -73,6 +74,7 @@ pub fn all() -> Vec<Case> {
             stepped_plate::case(),
             initial_stress::case(),
             heat::case(),
+            sandwich_panel::case(),
             joined_cantilevers::case(),
         ],
     ));

@@ -35,10 +35,10 @@ fn expansion(shell: &ShellScene) -> f64 {
         Material::Orthotropic(own) => {
             own.expansion.map_or(0.0, |[along, across]| along.abs().max(across.abs()))
         }
-        Material::Plastic(_) | Material::Rubber(_) | Material::File(_) => 0.0,
+        Material::Plastic(_) | Material::Rubber(_) | Material::Smeared(_) | Material::File(_) => 0.0,
     };
     match &shell.section {
         Section::Layered(plies) => plies.materials(&shell.material).map(of).fold(0.0, f64::max),
-        Section::Homogeneous(_) | Section::File(_) => of(&shell.material),
+        Section::Homogeneous(_) | Section::Stiffness(_) | Section::File(_) => of(&shell.material),
     }
 }

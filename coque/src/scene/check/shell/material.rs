@@ -51,6 +51,7 @@ impl ShellScene {
             Material::Plastic(plastic) => self.check_plastic_material(plastic, s)?,
             Material::Rubber(rubber) => self.check_rubber_material(rubber, s)?,
             Material::File(_) => self.check_of_file("material.file", s)?,
+            Material::Smeared(_) => {}
         }
         self.check_section(s)?;
         self.material_section(s).map(drop)
@@ -93,6 +94,10 @@ impl ShellScene {
                 ("section.homogeneous.thickness", total.to_string())
             }
             Section::File(_) => return self.check_of_file("section.file", s),
+            Section::Stiffness(section) => {
+                section.check(s)?;
+                ("section.stiffness.thickness", total.to_string())
+            }
             Section::Layered(section) => {
                 self.check_layered(section, s)?;
                 ("section.layered.plies", format!("{total} thick altogether"))
@@ -136,6 +141,7 @@ impl ShellScene {
             (Material::Rubber(material), Section::Homogeneous(section)) => {
                 return Ok(MaterialSection::Rubber(material, section));
             }
+            (Material::Smeared(_), Section::Stiffness(section)) => return Ok(MaterialSection::Given(section)),
             (Material::File(_), Section::File(_)) => return Ok(MaterialSection::OfFile(None, None)),
             (Material::Elastic(material), Section::File(_)) => {
                 return Ok(MaterialSection::OfFile(Some(material), None));
@@ -154,6 +160,19 @@ impl ShellScene {
                 "rubber",
                 "none but with [section.homogeneous]",
                 "give [section.homogeneous] with the thickness".into(),
+            ),
+            (Material::Smeared(_), _) => (
+                "material.smeared",
+                "a mass alone",
+                "a stiffness as well",
+                "give [section.stiffness], or a material with moduli, such as [material.elastic]".into(),
+            ),
+            (_, Section::Stiffness(_)) => (
+                "section.stiffness",
+                "a stiffness beside that of the material",
+                "one of them",
+                "use [material.smeared], which has a density alone, or [section.homogeneous] or [section.layered]"
+                    .into(),
             ),
             (Material::Orthotropic(_), Section::File(_)) => (
                 "section.file",

@@ -1,6 +1,7 @@
 //! The checks of a shell, its keys relative to where it stands in the scene; here of its shape and the places of its particles.
 
 mod formulation;
+mod given;
 mod initial_stress;
 mod material;
 mod own_law;

@@ -47,7 +47,7 @@ impl ShellScene {
                 check_plastic(plastic, own)?;
                 check_rolling(plastic, section, own)
             }
-            Some(other @ (Material::Rubber(_) | Material::File(_))) => {
+            Some(other @ (Material::Rubber(_) | Material::Smeared(_) | Material::File(_))) => {
                 let repair = "give the ply one of them, or remove `material`";
                 let path = format!("material.{}", other.word());
                 refuse(&path, other.word(), "elastic, orthotropic or plastic in a ply", repair)

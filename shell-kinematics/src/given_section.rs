@@ -1,0 +1,131 @@
+//! Sections whose stiffness is given, of whatever build: sandwich, corrugated or stiffened sheets.
+
+use crate::pack::Pack;
+use crate::section::{MaterialError, Section, SectionScales, linear_tangent};
+use crate::stiffness::{Matrix3, Stiffness, mean_over_directions};
+use crate::strains::{Resultants, Strains};
+use crate::tangent::Matrix8;
+
+/// Entries of a matrix and its transpose may differ by this part of its greatest entry: what ten written digits leave.
+const ASYMMETRY: f64 = 1e-9;
+
+/// A section of given stiffness, over the first axis of the point's frame.
+#[derive(Clone, Copy, Debug)]
+pub struct GivenSection {
+    stiffness: Stiffness,
+    scales: SectionScales,
+}
+
+impl GivenSection {
+    /// Of a thickness \[L\], which says how far the faces are apart and, with a density, the mass per area and `ρt³/12` of turns.
+    ///
+    /// # Errors
+    /// [`MaterialError::Thickness`]; [`MaterialError::Stiffness`] for a matrix that is not symmetric, and unless every strain stores energy:
+    /// `[[A, B], [B, D]]` and S must be positive definite.
+    pub fn new(stiffness: Stiffness, thickness: f64) -> Result<Self, MaterialError> {
+        if !(thickness > 0.0 && thickness.is_finite()) {
+            return Err(MaterialError::Thickness(thickness));
+        }
+        let Stiffness { membrane, coupling, bending, shear } = &stiffness;
+        for (what, matrix) in [("membrane", membrane), ("coupling", coupling), ("bending", bending)] {
+            symmetric(what, matrix)?;
+        }
+        symmetric("shear", shear)?;
+        let half = 0.5 * thickness;
+        // Curvatures as the strains of the face: what the Cholesky factor compares then has one size.
+        let whole: [[f64; 6]; 6] = std::array::from_fn(|i| {
+            std::array::from_fn(|j| match (i < 3, j < 3) {
+                (true, true) => membrane[i][j],
+                (false, false) => bending[i - 3][j - 3] / (half * half),
+                (true, false) => coupling[i][j - 3] / half,
+                (false, true) => coupling[i - 3][j] / half,
+            })
+        });
+        positive("membrane", membrane)?;
+        positive("bending", bending)?;
+        positive("coupling", &whole)?;
+        positive("shear", shear)?;
+        let stiffness = Stiffness {
+            membrane: even(membrane),
+            coupling: even(coupling),
+            bending: even(bending),
+            shear: even(shear),
+        };
+        let fastest = stiffest(membrane).max(stiffest(bending) * 12.0 / (thickness * thickness));
+        Ok(Self { stiffness, scales: stiffness.scales(thickness, fastest) })
+    }
+}
+
+/// Whether a matrix is finite and symmetric.
+fn symmetric<const N: usize>(what: &'static str, matrix: &[[f64; N]; N]) -> Result<(), MaterialError> {
+    let refuse = |bound| Err(MaterialError::Stiffness { what, bound });
+    let entries = matrix.as_flattened();
+    if !entries.iter().all(|entry| entry.is_finite()) {
+        return refuse("finite");
+    }
+    let most = entries.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
+    let apart = |i: usize, j: usize| (matrix[i][j] - matrix[j][i]).abs() > ASYMMETRY * most;
+    if (0..N).any(|i| (0..i).any(|j| apart(i, j))) { refuse("symmetric") } else { Ok(()) }
+}
+
+/// The symmetric part: that of an energy.
+fn even<const N: usize>(matrix: &[[f64; N]; N]) -> [[f64; N]; N] {
+    std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])))
+}
+
+/// Whether a symmetric matrix is positive definite: whether it has a Cholesky factor.
+fn positive<const N: usize>(what: &'static str, matrix: &[[f64; N]; N]) -> Result<(), MaterialError> {
+    let mut factor = [[0.0; N]; N];
+    for i in 0..N {
+        for j in 0..=i {
+            let left = matrix[i][j] - (0..j).map(|k| factor[i][k] * factor[j][k]).sum::<f64>();
+            if i > j {
+                factor[i][j] = left / factor[j][j];
+            } else if left > 1e-12 * matrix[i][i] {
+                factor[i][i] = left.sqrt();
+            } else {
+                let bound = match what {
+                    "coupling" => {
+                        "so small that every strain with its curvature stores energy, [[A, B], [B, D]] positive definite"
+                    }
+                    _ => "positive definite, so that every strain stores energy",
+                };
+                return Err(MaterialError::Stiffness { what, bound });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// No direction is stiffer \[as the matrix\]: the mean over all directions and what changes with twice and four times the angle, as if
+/// they were greatest in one direction, where they are in an orthotropic sheet.
+///
+/// A wave along n that moves along m meets `A:(m⊗n):(m⊗n)`, convex in the cosine between them and so greatest for m = ±n.
+fn stiffest(m: &Matrix3) -> f64 {
+    let twice = [0.5 * (m[0][0] - m[1][1]), m[0][2] + m[1][2]];
+    let four = [(m[0][0] + m[1][1] - 2.0 * m[0][1] - 4.0 * m[2][2]) / 8.0, 0.5 * (m[0][2] - m[1][2])];
+    mean_over_directions(m) + libm::hypot(twice[0], twice[1]) + libm::hypot(four[0], four[1])
+}
+
+impl Section for GivenSection {
+    fn linear(&self) -> bool {
+        true
+    }
+
+    fn resultants(&self, strains: &Strains) -> Resultants {
+        self.stiffness.resultants(strains)
+    }
+
+    fn tangent(&self, _: &Strains) -> Matrix8 {
+        linear_tangent(self)
+    }
+
+    fn energy(&self, strains: &Strains) -> Pack {
+        self.resultants(strains).work(strains) * 0.5
+    }
+
+    /// No wave of the membrane, nor of what bending and turning make of the same thickness, is faster than the scale of the membrane says.
+    fn scales(&self) -> SectionScales {
+        self.scales
+    }
+}
