@@ -16,6 +16,7 @@ use crate::expansion::Expansion;
 use crate::pack::Pack;
 use crate::section::{Isotropic, MaterialError, Section, SectionScales, finite_expansion, linear_tangent};
 use crate::strains::{Resultants, Strains};
+use crate::strength::Strength;
 use crate::tangent::Matrix8;
 use crate::transverse_shear::{Sheared, shear_correction};
 
@@ -31,6 +32,7 @@ pub struct Orthotropic {
     shear: f64,
     shear_across: f64,
     expansion: Option<[f64; 2]>,
+    strength: Option<Strength>,
 }
 
 impl Orthotropic {
@@ -62,7 +64,7 @@ impl Orthotropic {
         if left.is_nan() || left <= 0.0 {
             return Err(MaterialError::MajorPoisson { value: poisson, bound: (along / across).sqrt() });
         }
-        Ok(Self { along, across, poisson, shear, shear_across, expansion: None })
+        Ok(Self { along, across, poisson, shear, shear_across, expansion: None, strength: None })
     }
 
     /// The same with coefficients of thermal expansion along the fibre and across it \[1/Θ\], Θ a temperature.
@@ -73,11 +75,27 @@ impl Orthotropic {
         Ok(Self { expansion: Some([finite_expansion(along)?, finite_expansion(across)?]), ..self })
     }
 
+    /// The same with what a ply of it bears.
+    pub fn strong(self, strength: Strength) -> Self {
+        Self { strength: Some(strength), ..self }
+    }
+
+    /// What a ply of it bears, where that is known.
+    pub fn strength(&self) -> Option<&Strength> {
+        self.strength.as_ref()
+    }
+
+    /// Coefficients of thermal expansion along the fibre and across it \[1/Θ\], where they are known.
+    pub(crate) fn expansion(&self) -> Option<[f64; 2]> {
+        self.expansion
+    }
+
     /// One that is the same in all directions.
     pub(crate) fn isotropic(material: &Isotropic) -> Self {
-        let (young, shear) = (material.young, material.shear());
+        let (young, shear, poisson) = (material.young, material.shear(), material.poisson);
         let expansion = material.expansion.map(|own| [own; 2]);
-        Self { along: young, across: young, poisson: material.poisson, shear, shear_across: shear, expansion }
+        let strength = material.strength.map(Strength::Yield);
+        Self { along: young, across: young, poisson, shear, shear_across: shear, expansion, strength }
     }
 
     /// Strain `11, 22, 2·12` of a ply that is free, rotated by `angle` \[rad\], a degree of temperature \[1/Θ\].
@@ -156,14 +174,16 @@ pub struct Ply {
 ///
 /// Transverse shear is `Q = k Σ t_k Ḡ_k γ`: one shear strain for all plies, and one factor by which the energy is that of the shear stress of
 /// bending, 5/6 of plies of one material, small where a soft core lies between stiff faces (transverse_shear.rs).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct LayeredSection {
+    /// What is read of its plies (ply_stress.rs); no step looks at them.
+    pub(crate) plies: Vec<Ply>,
     /// A \[F/L\].
-    membrane: Matrix3,
+    pub(crate) membrane: Matrix3,
     /// B \[F\].
-    coupling: Matrix3,
+    pub(crate) coupling: Matrix3,
     /// D \[F L\].
-    bending: Matrix3,
+    pub(crate) bending: Matrix3,
     /// Transverse shear stiffness \[F/L\].
     shear: [[f64; 2]; 2],
     scales: SectionScales,
@@ -214,7 +234,7 @@ impl LayeredSection {
             shear: 0.5 * (shear[0][0] + shear[1][1]),
             membrane: stiffest * thickness,
         };
-        Ok(Self { membrane, coupling, bending, shear, scales, expansion })
+        Ok(Self { plies: plies.to_vec(), membrane, coupling, bending, shear, scales, expansion })
     }
 }
 
