@@ -169,7 +169,7 @@ mod warning;
 pub use analyses::{Estimate, Event, RunOptions, Simulation};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
-    Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
+    Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures, StressFields,
     LoadResultants, Memory, Mismatch, Model, NoPush, NotShared, OneProcess, Outline, Part, PrescribedPoint,
     Probe, Ready, Resultant, Shape, Spanned, State, StateArray, StaticBody, TangentCost, Task,
 };

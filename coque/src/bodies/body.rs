@@ -41,6 +41,11 @@ pub trait Body: Send {
         Vec::new()
     }
 
+    /// Stress `xx, yy, zz, xy, yz, zx` of each node of one of its bodies, a solid \[F/L²\]; none of another body.
+    fn stresses(&self, _body: usize) -> Vec<[f64; 6]> {
+        Vec::new()
+    }
+
     /// Whether it counts the turns of a particle itself, so that they are read as [`Measured::Rotation`] and not followed by its director.
     fn counts_turns(&self, _particle: usize) -> bool {
         false

@@ -13,6 +13,7 @@ mod column_unit;
 mod compatibility;
 mod contact;
 mod coupling;
+mod criterion;
 mod curve;
 pub(crate) mod error;
 mod expression;
@@ -47,6 +48,7 @@ pub(crate) mod source;
 mod statics;
 mod supports;
 mod tables;
+mod through;
 mod tools;
 mod touched_walls;
 pub(crate) mod units;
@@ -58,7 +60,8 @@ pub use analysis_kind::{ANALYSES, AnalysisKind, Contacts};
 pub use checked::Checked;
 pub use contact::ContactScene;
 pub use coupling::{Coupling, CouplingOrder};
-pub use curve::{Measured, Probe, ShellFace, Take, Through};
+pub use criterion::{Criterion, PlyComponent, ShellFace};
+pub use curve::{Measured, Probe, Take};
 pub(crate) use curve::{mean_of, phase_of};
 pub use explicit_dynamics::Amplitude;
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
@@ -91,6 +94,7 @@ pub use shell::plastic::{
     Swift, Voce,
 };
 pub use shell::plies::{Layered, Ply};
+pub use shell::strength::FibreStrength;
 pub use shell::rubber::{MooneyRivlin, NeoHooke, Rubber, RubberLaw};
 pub(crate) use shell::section::MaterialSection;
 pub use shell::section::{Homogeneous, Section, Taper, ThicknessTable};
@@ -112,6 +116,7 @@ pub use statics::{
     RelaxationDamping, Static, Stop,
 };
 pub use supports::*;
+pub use through::Through;
 pub use tools::{ToolBlock, ToolCapsule, ToolCylinder, ToolPlane, ToolScene, ToolSphere};
 pub use velocity::{Spin, Velocity};
 pub use walls::{

@@ -11,7 +11,7 @@ use coque::{Checked, FieldSink, Outcome, RunOptions, Scene, Silent};
 use sph_core::Vec3;
 
 pub const EVERYTHING: Fields =
-    Fields { every: 1, extruded: true, points: false, stresses: true, contact: false };
+    Fields { extruded: true, stresses: true, ..Fields::MOTION };
 
 pub fn scene(name: &str, replaced: &[(&str, &str)]) -> Checked {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name);

@@ -172,7 +172,7 @@ fn lists(
             left_out.push("stresses of modes, which have a shape but no size".into());
         } else if matches!(scene.analysis, Analysis::Harmonic(_)) {
             left_out.push("stresses in the frames of peaks: columns have them".into());
-        } else if !scene.shell.section.homogeneous() {
+        } else if !scene.shell.section.homogeneous() && !scene.output.fields.is_some_and(|own| own.plies) {
             left_out.push("stresses of the plies: the fields hold resultants".into());
         }
     }

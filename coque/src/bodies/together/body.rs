@@ -89,6 +89,10 @@ impl<S: Parts> Body for Together<S> {
         self.system.nodal_contact(&self.layout.contacts, body, particles)
     }
 
+    fn stresses(&self, body: usize) -> Vec<[f64; 6]> {
+        self.system.each().get(body).map_or_else(Vec::new, |part| part.stresses(0))
+    }
+
     fn yielding(&self, body: usize) -> Vec<Yielding> {
         self.system.each().get(body).map_or_else(Vec::new, |part| part.yielding(0))
     }
