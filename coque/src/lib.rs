@@ -169,9 +169,9 @@ mod warning;
 pub use analyses::{Estimate, Event, RunOptions, Simulation};
 pub use bodies::shell::warnings::warnings;
 pub use bodies::{
-    Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures, StressFields,
+    Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
     LoadResultants, Memory, Mismatch, Model, NoPush, NotShared, OneProcess, Outline, Part, PrescribedPoint,
-    Probe, Ready, Resultant, Shape, Spanned, State, StateArray, StaticBody, TangentCost, Task,
+    Probe, Ready, Resultant, Shape, Spanned, State, StateArray, StaticBody, StressFields, TangentCost, Task,
 };
 pub use commands::{Launched, ProcessGroup, command_line, command_line_in, launched};
 pub use explicit_dynamics::Exert;

@@ -59,7 +59,9 @@ impl LayeredSection {
         if let Some((resultants, expansion)) = resultants.zip(self.expansion()) {
             let row = |m: &[[f64; 3]; 3], s: &[f64; 3], i: usize| (0..3).map(|j| m[i][j] * s[j]).sum::<f64>();
             let lacking = std::array::from_fn(|i| match i {
-                0..3 => row(&self.membrane, &membrane, i) + row(&self.coupling, &curvature, i) - resultants[i],
+                0..3 => {
+                    row(&self.membrane, &membrane, i) + row(&self.coupling, &curvature, i) - resultants[i]
+                }
                 _ => {
                     let k = i - 3;
                     let own = row(&self.coupling, &membrane, k) + row(&self.bending, &curvature, k);
@@ -119,7 +121,8 @@ impl LayeredSection {
 
     /// The ply of least reserve with its margin; none where no ply has a strength.
     pub fn worst_ply(&self, criterion: Criterion, through: &Through) -> Option<(usize, Margin)> {
-        let all = (0..self.plies.len()).filter_map(|ply| Some((ply, self.ply_margin(ply, criterion, through)?)));
+        let all =
+            (0..self.plies.len()).filter_map(|ply| Some((ply, self.ply_margin(ply, criterion, through)?)));
         all.reduce(|worst, own| if own.1.reserve < worst.1.reserve { own } else { worst })
     }
 }

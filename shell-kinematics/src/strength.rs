@@ -79,7 +79,11 @@ impl Margin {
 /// A strength, if it is positive.
 fn positive(what: &'static str, value: f64) -> Result<f64, MaterialError> {
     let bound = "positive and finite";
-    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(MaterialError::Constant { what, value, bound }) }
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(MaterialError::Constant { what, value, bound })
+    }
 }
 
 impl FibreStrength {

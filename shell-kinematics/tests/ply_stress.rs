@@ -13,7 +13,8 @@ fn carbon() -> Orthotropic {
 
 /// Plies of thicknesses and angles \[degrees\].
 fn stack(plies: &[(f64, f64)]) -> LayeredSection {
-    let ply = |&(thickness, angle): &(f64, f64)| Ply { material: carbon(), thickness, angle: angle.to_radians() };
+    let ply =
+        |&(thickness, angle): &(f64, f64)| Ply { material: carbon(), thickness, angle: angle.to_radians() };
     LayeredSection::new(&plies.iter().map(ply).collect::<Vec<_>>()).unwrap()
 }
 
@@ -92,7 +93,8 @@ fn heat_is_read_back_from_the_resultants() {
         // Temperatures are what is left of forces of the strains, of ten times their size.
         near(&through.heat, &wanted, 1e-11);
         let sums = added_up(&section, &through);
-        let about: Vec<f64> = (0..6).map(|i| if i < 3 { all[i] } else { all[i] - height * all[i - 3] }).collect();
+        let about: Vec<f64> =
+            (0..6).map(|i| if i < 3 { all[i] } else { all[i] - height * all[i - 3] }).collect();
         near(&sums, &about, 1e-11);
     }
 }
@@ -102,8 +104,7 @@ fn a_free_ply_that_is_warm_bears_nothing() {
     let section = stack(&[(0.2, 25.0)]);
     let (s, c) = libm::sincos(25.0_f64.to_radians());
     let [l, t] = [-0.5e-6 * 100.0, 30e-6 * 100.0];
-    let strains =
-        [l * c * c + t * s * s, l * s * s + t * c * c, 2.0 * s * c * (l - t), 0.0, 0.0, 0.0];
+    let strains = [l * c * c + t * s * s, l * s * s + t * c * c, 2.0 * s * c * (l - t), 0.0, 0.0, 0.0];
     let through = section.through(strains, 0.0, Some([0.0; 6]));
     near(&[through.heat[0]], &[100.0], 1e-12);
     let stress = section.ply_stress(0, &through, 0.5);
@@ -116,7 +117,11 @@ fn a_turned_section_bears_the_same() {
     let turn = 0.4_f64;
     let (s, c) = libm::sincos(turn);
     let about = |[a, b, g]: [f64; 3]| {
-        [c * c * a + s * s * b + s * c * g, s * s * a + c * c * b - s * c * g, 2.0 * s * c * (b - a) + (c * c - s * s) * g]
+        [
+            c * c * a + s * s * b + s * c * g,
+            s * s * a + c * c * b - s * c * g,
+            2.0 * s * c * (b - a) + (c * c - s * s) * g,
+        ]
     };
     let ([a, b, g, ka, kb, kg], own) = (STRAINS, skew());
     let other: Vec<Ply> = own.plies().iter().map(|ply| Ply { angle: ply.angle - turn, ..*ply }).collect();
@@ -147,8 +152,14 @@ fn mirrored_plies_bear_the_same() {
         near(&[s1, s2, -s6], &stress, 1e-13);
         near(&over.ply_stress(2 - ply, &bent, 0.8), &stress, 1e-13);
         for criterion in [Criterion::TsaiWu, Criterion::Hashin] {
-            let reserve = |section: &LayeredSection, ply, through| section.ply_margin(ply, criterion, through).unwrap().reserve;
-            near(&[reserve(&mirrored, ply, &other), reserve(&over, 2 - ply, &bent)], &[reserve(&own, ply, &plain); 2], 1e-12);
+            let reserve = |section: &LayeredSection, ply, through| {
+                section.ply_margin(ply, criterion, through).unwrap().reserve
+            };
+            near(
+                &[reserve(&mirrored, ply, &other), reserve(&over, 2 - ply, &bent)],
+                &[reserve(&own, ply, &plain); 2],
+                1e-12,
+            );
         }
     }
 }
@@ -163,7 +174,8 @@ fn the_worst_of_a_ply_is_found_within_it() {
         let through = section.through([1e-4, -2e-3, 1.2e-2, k1, k2, k3], 0.0, None);
         for criterion in [Criterion::TsaiWu, Criterion::Hashin] {
             let worst = section.ply_margin(0, criterion, &through).unwrap();
-            let at = |i: usize| strength.margin(criterion, section.ply_stress(0, &through, i as f64 / 1000.0));
+            let at =
+                |i: usize| strength.margin(criterion, section.ply_stress(0, &through, i as f64 / 1000.0));
             let least = (0..=1000).map(at).map(|margin| margin.reserve).fold(f64::INFINITY, f64::min);
             assert!(worst.reserve <= least * (1.0 + 1e-12), "{criterion:?} {least} {worst:?}");
             assert!(worst.reserve > least * 0.99, "{criterion:?} {least} {worst:?}");

@@ -29,7 +29,10 @@ fn every_strength_is_met() {
     for criterion in BOTH {
         for stress in alone {
             let at = uneven().margin(criterion, stress);
-            assert!((at.index - 1.0).abs() < 1e-14 && (at.reserve - 1.0).abs() < 1e-14, "{criterion:?} {stress:?}");
+            assert!(
+                (at.index - 1.0).abs() < 1e-14 && (at.reserve - 1.0).abs() < 1e-14,
+                "{criterion:?} {stress:?}"
+            );
             let half = uneven().margin(criterion, stress.map(|s| 0.5 * s));
             assert!((half.reserve - 2.0).abs() < 1e-14, "{criterion:?} {stress:?}");
         }
@@ -63,7 +66,11 @@ fn a_published_ply_at_sixty_degrees() {
 /// Stress of the axes x and y in those of a fibre at an angle \[degrees\].
 fn turned([x, y, xy]: [f64; 3], angle: f64) -> [f64; 3] {
     let (s, c) = libm::sincos(angle.to_radians());
-    [c * c * x + s * s * y + 2.0 * s * c * xy, s * s * x + c * c * y - 2.0 * s * c * xy, s * c * (y - x) + (c * c - s * s) * xy]
+    [
+        c * c * x + s * s * y + 2.0 * s * c * xy,
+        s * s * x + c * c * y - 2.0 * s * c * xy,
+        s * c * (y - x) + (c * c - s * s) * xy,
+    ]
 }
 
 /// Off-axis strength of Tsai and Wu: `A σ² + B σ = 1` with `A = F₁₁c⁴ + F₂₂s⁴ + (F₆₆ + 2F₁₂)s²c²`, `B = F₁c² + F₂s²`.

@@ -118,7 +118,9 @@ mod tests {
     /// Of a stress in a surface both ways agree, zero across it among them.
     #[test]
     fn plane_stress_is_one_in_space() {
-        for stress in [[3.0, 1.0, 0.5], [-3.0, 1.0, 0.5], [-3.0, -1.0, 2.5], [1.0, 2.0, 0.0], [0.0, 0.0, -2.0]] {
+        for stress in
+            [[3.0, 1.0, 0.5], [-3.0, 1.0, 0.5], [-3.0, -1.0, 2.5], [1.0, 2.0, 0.0], [0.0, 0.0, -2.0]]
+        {
             let [s11, s22, s12] = stress;
             let ([first, second], angle) = principal(stress);
             let space = Principal::of([s11, s22, 0.0, s12, 0.0, 0.0]);

@@ -55,7 +55,11 @@ impl Plies {
     }
 
     /// What goes through the thickness at a point, from its strains and resultants.
-    pub fn through(&self, point: usize, numbers: &[f64; POINT_NUMBERS]) -> Option<(&LayeredSection, Through)> {
+    pub fn through(
+        &self,
+        point: usize,
+        numbers: &[f64; POINT_NUMBERS],
+    ) -> Option<(&LayeredSection, Through)> {
         let (own, height) = (self.at(point)?, self.points[point].1);
         let strains = std::array::from_fn(|i| numbers[i]);
         let resultants = self.heated.then(|| std::array::from_fn(|i| numbers[8 + i]));

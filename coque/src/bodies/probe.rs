@@ -158,9 +158,7 @@ impl Probe {
                 Measured::Moment
                 | Measured::ReactionMoment
                 | Measured::ContactMoment
-                | Measured::SectionMoment => {
-                    moment(body, (self.of, a), &self.direction, &self.about)
-                }
+                | Measured::SectionMoment => moment(body, (self.of, a), &self.direction, &self.about),
                 of => body.read(of, a, &self.direction),
             }
         };

@@ -57,7 +57,10 @@ impl Sampled {
             (Measured::MaxPrincipal, _) => worst(&|stress| principal(stress).0[0]),
             (Measured::MinPrincipal, _) => -worst(&|stress| -principal(stress).0[1]),
             (Measured::PrincipalAngle, face) => {
-                let (_, angle) = principal(stress(face.unwrap_or(ShellFace::Top)));
+                let ([first, second], angle) = principal(stress(face.unwrap_or(ShellFace::Top)));
+                if first == second {
+                    return 0.0;
+                }
                 // Axes half a turn apart are one.
                 let (s, c) = libm::sincos(2.0 * (angle - libm::atan2(b, a)));
                 0.5 * libm::atan2(s, c)

@@ -178,7 +178,20 @@ impl<'a> Frames<'a> {
         let contact = task.output.fields.is_some_and(|fields| fields.contact);
         let of_stresses = StressFields::asked(&task.output);
         let (offered, taken, failure) = (0, 0, None);
-        Self { sink, every, state, along, driven, units, indicator, contact, of_stresses, offered, taken, failure }
+        Self {
+            sink,
+            every,
+            state,
+            along,
+            driven,
+            units,
+            indicator,
+            contact,
+            of_stresses,
+            offered,
+            taken,
+            failure,
+        }
     }
 
     /// Hands a frame on if its turn has come; `Break` if the sink cannot go on.

@@ -362,7 +362,8 @@ impl Measured {
 
     /// Whether it follows from the strains of a shell, where these are sampled.
     pub fn is_of_strains(self) -> bool {
-        let forces = matches!(self, Self::MembraneForce | Self::BendingMoment | Self::ShearForce | Self::Energy);
+        let forces =
+            matches!(self, Self::MembraneForce | Self::BendingMoment | Self::ShearForce | Self::Energy);
         forces || self.is_of_stress() || self.is_of_plies() || self == Self::PrincipalAngle
     }
 

@@ -94,10 +94,10 @@ pub use shell::plastic::{
     Swift, Voce,
 };
 pub use shell::plies::{Layered, Ply};
-pub use shell::strength::FibreStrength;
 pub use shell::rubber::{MooneyRivlin, NeoHooke, Rubber, RubberLaw};
 pub(crate) use shell::section::MaterialSection;
 pub use shell::section::{Homogeneous, Section, Taper, ThicknessTable};
+pub use shell::strength::FibreStrength;
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
 pub use solid::fracture::{BondMeasure, Contact, Crack, Fracture, Stretches, Wall};

@@ -29,9 +29,8 @@ pub(super) fn fields<'a>(solid: &'a GalerkinSolid, shown: &FieldRequest<'a>) -> 
         State::Moving | State::Balance if principal => Some(solid.stresses_at_nodes()),
         // Of a linear answer nothing has turned.
         State::Linear if principal => linear.map(|row| {
-            let of = |own: &[f64; RECOVERED]| {
-                in_space(std::array::from_fn(|i| own[i]), solid.galerkin().axes())
-            };
+            let of =
+                |own: &[f64; RECOVERED]| in_space(std::array::from_fn(|i| own[i]), solid.galerkin().axes());
             chunks(row).iter().map(of).collect()
         }),
         _ => None,
@@ -126,10 +125,7 @@ impl Content<'_> {
         if self.recovered.is_none() || self.shown.state == State::Linear {
             return Ok(());
         }
-        let values: Vec<[f64; RECOVERED]> = results
-            .iter()
-            .map(all_of)
-            .collect();
+        let values: Vec<[f64; RECOVERED]> = results.iter().map(all_of).collect();
         self.stresses(to, &values)
     }
 

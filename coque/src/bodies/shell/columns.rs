@@ -10,9 +10,9 @@ use crate::bodies::plies::{OfPlies, Plies};
 use crate::bodies::sampled::{PointAtRest, Sampled};
 use crate::bodies::sets::{self, Sets};
 use crate::scene;
+use crate::scene::Measured;
 use crate::scene::body_in_scene::OnSet;
 use crate::scene::error::SceneError;
-use crate::scene::Measured;
 
 impl Builder<'_> {
     pub(super) fn probes(
@@ -118,7 +118,12 @@ impl Builder<'_> {
                 if !(0..points.len()).any(|point| plies.judged(point, ply)) {
                     let bound = "on cells, or of a ply, of a material with a `strength`";
                     let value = format!("\"{}\"", of.word());
-                    return Err(fault("of", &value, bound, "add `strength` to it, or take another set or ply"));
+                    return Err(fault(
+                        "of",
+                        &value,
+                        bound,
+                        "add `strength` to it, or take another set or ply",
+                    ));
                 }
                 match of {
                     Measured::ReserveFactor => OfPlies::Reserve(ply, criterion),
@@ -145,7 +150,8 @@ impl Builder<'_> {
         let sides = [beyond.is_empty(), (0..shell.len()).all(is_beyond)];
         if let Some(side) = sides.into_iter().position(|empty| empty) {
             let lies = if side == 0 { "no particle of the set lies beyond it" } else { "all lie beyond it" };
-            let (bound, repair) = (format!("a cut through the shell: {lies}"), "move its point into the shell");
+            let (bound, repair) =
+                (format!("a cut through the shell: {lies}"), "move its point into the shell");
             let value = format!("{:?}", through.point);
             return Err(self.scene.source.value(&column.at("through.point"), value, &bound, repair));
         }

@@ -1,8 +1,6 @@
 //! From the plies of a scene to those of a section.
 
-use shell_kinematics::{
-    FibreStrength, MaterialError, Orthotropic, PlasticPly, Ply, PlyMaterial, Strength,
-};
+use shell_kinematics::{FibreStrength, MaterialError, Orthotropic, PlasticPly, Ply, PlyMaterial, Strength};
 
 use super::build::Builder;
 use super::heat::isotropic;

@@ -153,8 +153,7 @@ pub(in crate::bodies) fn principal_fields(
     units: &Units,
 ) -> io::Result<()> {
     let found: Vec<Principal> = stresses.iter().map(|&stress| Principal::of(stress)).collect();
-    let (count, stress, ratio) =
-        (found.len(), units.symbol(Quantity::Stress), units.symbol(Quantity::Ratio));
+    let (count, stress, ratio) = (found.len(), units.symbol(Quantity::Stress), units.symbol(Quantity::Ratio));
     let all = rows(count, |a| found[a].stresses.map(|value| value as f32));
     to.numbers(At::Points, "principal_stress", &stress, &["1", "2", "3"], Values::Single(&all))?;
     for (name, which) in [("principal_direction_1", 0), ("principal_direction_3", 2)] {

@@ -8,7 +8,8 @@ use crate::scene::scope::Scope;
 
 /// A cut of a shell goes all through it, and what goes through it is what cells bear.
 pub(super) fn check_cut(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
-    let Some((shell, through)) = scene.as_shell().zip(probe.through).filter(|_| probe.of.is_of_section()) else {
+    let Some((shell, through)) = scene.as_shell().zip(probe.through).filter(|_| probe.of.is_of_section())
+    else {
         return Ok(());
     };
     let s = &scene.scope();

@@ -24,7 +24,12 @@ pub(super) fn check_stress(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) ->
     check_by_plies(scene, shell, &probe.at("of"), &value)?;
     if of == Measured::PlyStress && !sections(shell).any(|own| plies(&own) > 0) {
         let repair = "measure `stress`, or give [section.layered]";
-        return Err(SceneError::Choice(scene.scope().fault(&probe.at("of"), &value, "none without plies", repair)));
+        return Err(SceneError::Choice(scene.scope().fault(
+            &probe.at("of"),
+            &value,
+            "none without plies",
+            repair,
+        )));
     }
     let most = sections(shell).map(|own| plies(&own).max(1)).max().unwrap_or(1);
     if let Some(ply) = probe.ply.filter(|ply| ply.get() > most) {
@@ -52,7 +57,12 @@ fn check_keys(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     ] {
         if given && !allowed {
             let bound = format!("none: {word} is {what}");
-            return Err(SceneError::Choice(s.fault(&probe.at(key), value, &bound, &format!("remove `{key}`"))));
+            return Err(SceneError::Choice(s.fault(
+                &probe.at(key),
+                value,
+                &bound,
+                &format!("remove `{key}`"),
+            )));
         }
     }
     let faced = shell && matches!(of, Measured::Stress | Measured::PrincipalAngle) || stress;
@@ -61,11 +71,26 @@ fn check_keys(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     for (key, given, wanted, repair) in [
         ("face", probe.face.is_some(), faced, if stress { of_ply } else { of_shell }),
         ("ply", probe.ply.is_some(), stress, "add its number from the lowest, as in ply = 1"),
-        ("component", probe.component.is_some(), stress, "add component = \"along\", \"across\" or \"shear\""),
-        ("criterion", probe.criterion.is_some(), judged, "add criterion = \"tsai-wu\", \"hashin\" or \"von-mises\""),
+        (
+            "component",
+            probe.component.is_some(),
+            stress,
+            "add component = \"along\", \"across\" or \"shear\"",
+        ),
+        (
+            "criterion",
+            probe.criterion.is_some(),
+            judged,
+            "add criterion = \"tsai-wu\", \"hashin\" or \"von-mises\"",
+        ),
     ] {
         if wanted && !given {
-            return Err(SceneError::Missing(s.fault(&probe.at(key), "nothing", "given: it has no default", repair)));
+            return Err(SceneError::Missing(s.fault(
+                &probe.at(key),
+                "nothing",
+                "given: it has no default",
+                repair,
+            )));
         }
     }
     Ok(())
@@ -105,9 +130,8 @@ fn check_linear(scene: &BodyInScene<'_>, shell: &ShellScene, probe: &OnSet<'_, P
 
 /// Stresses of plies follow from strains where nothing has a memory, is of rubber or was under stress before.
 fn check_by_plies(scene: &BodyInScene<'_>, shell: &ShellScene, path: &str, value: &str) -> Verdict {
-    let refuse = |bound: &str, repair: &str| {
-        Err(SceneError::Choice(scene.scope().fault(path, value, bound, repair)))
-    };
+    let refuse =
+        |bound: &str, repair: &str| Err(SceneError::Choice(scene.scope().fault(path, value, bound, repair)));
     if sections(shell).any(|own| own.measure_of_law().is_some()) {
         let bound = "none of a shell with plasticity or rubber in it: stresses of its plies do not follow from its strains alone";
         return refuse(bound, "make its materials elastic or orthotropic, or measure section forces");
@@ -120,12 +144,7 @@ fn check_by_plies(scene: &BodyInScene<'_>, shell: &ShellScene, path: &str, value
 }
 
 /// A criterion wants a strength, and is one of the materials that have one.
-fn check_criterion(
-    scene: &BodyInScene<'_>,
-    shell: &ShellScene,
-    criterion: Criterion,
-    path: &str,
-) -> Verdict {
+fn check_criterion(scene: &BodyInScene<'_>, shell: &ShellScene, criterion: Criterion, path: &str) -> Verdict {
     let (mut fibres, mut plain) = (false, false);
     for own in sections(shell) {
         for material in own.section.materials(&own.material) {
@@ -137,20 +156,19 @@ fn check_criterion(
         }
     }
     let value = format!("\"{}\"", criterion.word());
-    let refuse = |bound: &str, repair: &str| {
-        Err(SceneError::Choice(scene.scope().fault(path, &value, bound, repair)))
-    };
+    let refuse =
+        |bound: &str, repair: &str| Err(SceneError::Choice(scene.scope().fault(path, &value, bound, repair)));
     match criterion {
         _ if !(fibres || plain) => refuse(
-            "none of materials without a `strength`",
+            "that of a material with a `strength`, of which there is none",
             "add strength = 250.0 to an elastic material, to an orthotropic one strength = { along_tension = …, along_compression = …, across_tension = …, \
              across_compression = …, shear = … }",
         ),
         Criterion::VonMises if fibres => {
-            refuse("none of strengths along and across a fibre", "write \"tsai-wu\" or \"hashin\"")
+            refuse("\"tsai-wu\" or \"hashin\" where a fibre has strengths of its own", "write one of these")
         }
         Criterion::TsaiWu | Criterion::Hashin if !fibres => {
-            refuse("none of materials that are alike in all directions", "write \"von-mises\"")
+            refuse("\"von-mises\" where no fibre has strengths of its own", "write it")
         }
         _ => Ok(()),
     }
@@ -169,17 +187,29 @@ pub(super) fn check_stress_fields(scene: &BodyInScene<'_>) -> Verdict {
     let principal = "principal stresses";
     match scene.as_shell() {
         None if fields.principal && scene.as_solid().is_none() => {
-            return refuse("output.fields.principal", principal, "none but of shells and solids", "remove it");
+            return refuse(
+                "output.fields.principal",
+                principal,
+                "none but of shells and solids",
+                "remove it",
+            );
         }
         None if fields.plies => {
-            return refuse("output.fields.plies", "stresses of plies", "none but of a shell of plies", "remove it");
+            return refuse(
+                "output.fields.plies",
+                "stresses of plies",
+                "none but of a shell of plies",
+                "remove it",
+            );
         }
         None if fields.reserve.is_some() => {
             return refuse("output.fields.reserve", "reserve factors", "none but of a shell", "remove it");
         }
         None => return Ok(()),
         Some(shell) => {
-            if fields.principal && sections(shell).any(|own| !own.section.homogeneous() || own.yields_itself()) {
+            if fields.principal
+                && sections(shell).any(|own| !own.section.homogeneous() || own.yields_itself())
+            {
                 let bound = "none where stresses do not run linearly through the thickness: of plies and of what yields";
                 let repair = "remove it; plies of elastic materials have `plies` and `reserve`";
                 return refuse("output.fields.principal", principal, bound, repair);
