@@ -37,6 +37,7 @@ pub(crate) mod model;
 mod one_process;
 mod outline;
 mod plies;
+mod point_numbers;
 pub(crate) mod probe;
 mod refusal;
 mod resultants;

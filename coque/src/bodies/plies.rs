@@ -3,7 +3,7 @@
 use shell_kinematics::{LayeredSection, Margin, Through};
 use sph_shell::Shell;
 
-use super::sampled::POINT_NUMBERS;
+use super::point_numbers::POINT_NUMBERS;
 use crate::scene::{Criterion, PlyComponent, ShellFace};
 
 /// The reserve factor that stands for all beyond: of what bears next to nothing it says nothing \[–\].

@@ -4,7 +4,7 @@ use sph_core::Vec3;
 
 use super::body::Body;
 use super::invariants::{Principal, von_mises_in_space};
-use super::sampled::POINT_NUMBERS;
+use super::point_numbers::POINT_NUMBERS;
 use super::sampled::Sampled;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};

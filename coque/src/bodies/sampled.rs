@@ -2,11 +2,8 @@
 
 use super::invariants::{principal, tresca, von_mises};
 use super::plies::{OfPlies, Plies};
+use super::point_numbers::POINT_NUMBERS;
 use crate::scene::{Measured, ShellFace};
-
-/// Numbers of a point that grow with a small motion: strains `e11 e22 2e12 κ11 κ22 2κ12 γ1 γ2`, then the resultants
-/// `N11 N22 N12 M11 M22 M12 Q1 Q2`.
-pub const POINT_NUMBERS: usize = 16;
 
 /// What is known of a point at rest.
 #[derive(Clone, Copy, Debug)]

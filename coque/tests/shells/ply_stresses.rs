@@ -258,7 +258,7 @@ fn what_plies_are_asked_that_they_have_not() {
         ("a criterion of metals", "criterion = \"tsai-wu\"", "criterion = \"von-mises\""),
         ("no such criterion", "criterion = \"tsai-wu\"", "criterion = \"tsai-hill\""),
         ("no such ply", "ply = 2", "ply = 3"),
-        ("ply nought", "ply = 2", "ply = 0"),
+        ("ply zero", "ply = 2", "ply = 0"),
         ("no ply", "ply = 2\n", ""),
         ("no face", "face = \"top\"\n", ""),
         ("no component", "\ncomponent = \"along\"", ""),

@@ -16,7 +16,7 @@ use super::warnings::{among_preloaded_modes, between_lines};
 use super::yielding::{warnings, yielding};
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray, StaticBody};
-use crate::bodies::sampled::POINT_NUMBERS;
+use crate::bodies::point_numbers::POINT_NUMBERS;
 use crate::bodies::{
     ContactFields, ContactNow, FieldRequest, FieldSource, NotShared, Outline, Resultant, Yielding,
 };

@@ -12,7 +12,7 @@ use super::layout::Layout;
 use super::parts::Parts;
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, Mismatch, StateArray};
-use crate::bodies::sampled::POINT_NUMBERS;
+use crate::bodies::point_numbers::POINT_NUMBERS;
 use crate::bodies::{ContactNow, FieldRequest, FieldSource, GlueNow, Outline, Yielding};
 use crate::scene::Measured;
 
