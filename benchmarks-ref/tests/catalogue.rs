@@ -186,11 +186,12 @@ fn heated_shells_are_their_closed_forms() {
 #[test]
 fn plies_off_their_axis_are_their_closed_form() {
     let table = reference("ply_strength").unwrap();
-    let (f11, f22, f66) = (1.0 / 1500.0_f64.powi(2), 1.0 / (40.0 * 246.0), 1.0 / 68.0_f64.powi(2));
+    let (f11, f22, f66): (f64, f64, f64) =
+        (1.0 / 1500.0_f64.powi(2), 1.0 / (40.0 * 246.0), 1.0 / 68.0_f64.powi(2));
     for (row, angle) in [(0, 15.0_f64), (1, 45.0), (2, 75.0)] {
         let (s, c) = libm::sincos(angle.to_radians());
         let [ss, cc] = [s * s, c * c];
-        let f12: f64 = -0.5 * (f11 * f22 as f64).sqrt();
+        let f12 = -0.5 * (f11 * f22).sqrt();
         let a = f11 * cc * cc + f22 * ss * ss + (f66 + 2.0 * f12) * ss * cc;
         let b = (1.0 / 40.0 - 1.0 / 246.0) * ss;
         let strength = (-b + (b * b + 4.0 * a).sqrt()) / (2.0 * a);
