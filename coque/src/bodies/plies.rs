@@ -46,6 +46,12 @@ impl Plies {
         self.laminates.get(self.points[point].0)?.as_ref()
     }
 
+    /// Whether any of its plies has a strength.
+    pub fn any_strength(&self) -> bool {
+        let mut all = self.laminates.iter().flatten().flat_map(|own| own.plies());
+        all.any(|ply| ply.material.strength().is_some())
+    }
+
     /// Whether the plies at a point, or one of them, have a strength.
     pub fn judged(&self, point: usize, ply: Option<usize>) -> bool {
         let strong = |(number, own): (usize, &shell_kinematics::Ply)| {

@@ -316,3 +316,45 @@ fn what_a_homogeneous_shell_is_asked_that_it_has_not() {
     ];
     insta::assert_snapshot!(refused(&text, &cases));
 }
+
+/// Frames of a linear answer of cooled plies hold what its columns take: heat is read back from forces that grow with the load.
+#[test]
+fn frames_of_cooled_plies_hold_what_columns_take() {
+    let ply =
+        "name = \"ply\"\nof = \"ply-stress\"\non = \"all\"\nply = 2\nface = \"top\"\ncomponent = \"across\"";
+    let cooled = "loads = [{ on = \"all\", temperature = { change = -100.0, difference = 20.0 } }]";
+    let text = sheet(&layup(&[0.0, 90.0, 90.0, 0.0]), cooled, &columns(&[RESERVE, ply]))
+        + "[output]\nfields = { plies = true, reserve = \"tsai-wu\" }\n";
+    for (k, text) in [text.clone(), text.replace("linear = {}", "static.levels = 1")].iter().enumerate() {
+        let scene = Scene::parse(text, "sheet.toml").unwrap();
+        let files = folder(&format!("cooled-plies-{k}"));
+        let wanted = scene.output.fields.unwrap();
+        let found = fields::run(&scene, &mut FieldFiles::create(&files, FieldFiles::LONE, &wanted).unwrap());
+        let last_frame = fields::listed(&files.join("shell.pvd")).last().unwrap().1.clone();
+        let read = Read::new(&last_frame);
+        let across: Vec<f64> = read.get("ply_2_top").chunks(3).map(|own| own[1]).collect();
+        let mean = across.iter().sum::<f64>() / across.len() as f64;
+        assert!((mean / last(&found, "ply") - 1.0).abs() < 1e-6, "{mean} {}", last(&found, "ply"));
+        let least = read.get("reserve_factor").iter().copied().fold(f64::INFINITY, f64::min);
+        assert!((least / last(&found, "reserve") - 1.0).abs() < 1e-6);
+    }
+}
+
+/// In a linear answer stresses of plies under two loads are the sums of those under each.
+#[test]
+fn stresses_of_plies_add_up() {
+    let ply = |component: &str| {
+        format!(
+            "name = \"{component}\"\nof = \"ply-stress\"\non = \"all\"\nply = 2\nface = \"bottom\"\ncomponent = \"{component}\""
+        )
+    };
+    let list = columns(&[&ply("along"), &ply("across"), &ply("shear")]);
+    let pull = "{ on = \"u1\", force = { total = [30.0, 0.0, 0.0] } }, { on = \"u0\", force = { total = [-30.0, 0.0, 0.0] } }";
+    let heat = "{ on = \"all\", temperature = { change = -70.0, difference = 5.0 } }";
+    let of = |loads: &str| of_plies(&sheet(&layup(&[0.0, 45.0, 90.0]), &format!("loads = [{loads}]"), &list));
+    let [pulled, cooled, both] = [of(pull), of(heat), of(&format!("{pull}, {heat}"))];
+    for name in ["along", "across", "shear"] {
+        let [a, b, sum] = [&pulled, &cooled, &both].map(|run| last(run, name));
+        assert!((a + b - sum).abs() < 1e-7 * a.abs().max(b.abs()), "{name}: {a} + {b}, {sum}");
+    }
+}

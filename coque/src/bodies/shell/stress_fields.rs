@@ -38,10 +38,12 @@ impl Stressed<'_> {
             return Ok(());
         }
         let plies = Plies::of(self.shell, 0..self.results.len());
-        if wanted.plies {
-            self.plies(&plies, wanted.reserve, to)?;
+        // Of several bodies those show it that have it.
+        let criterion = wanted.reserve.filter(|_| plies.any_strength());
+        if wanted.plies && !self.shell.homogeneous() {
+            self.plies(&plies, criterion, to)?;
         }
-        wanted.reserve.map_or(Ok(()), |criterion| self.reserve(&plies, criterion, to))
+        criterion.map_or(Ok(()), |criterion| self.reserve(&plies, criterion, to))
     }
 
     /// A row for each sampling point, in single precision.
