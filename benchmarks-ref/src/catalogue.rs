@@ -1,6 +1,7 @@
 //! The catalogue: every reference with its source, its units and how far it can be trusted.
 
 mod flows;
+mod materials;
 
 use crate::curve::Curve;
 use crate::error::ReferenceError;
@@ -33,9 +34,6 @@ const CATALOGUE: &[Entry] = &[
     Entry { name: "elastica_end_load", quantity: "tip displacement and rotation against dead end load",
         uncertainty: "exact; rounding of the printed digits, 5e-10; shear-flexible or extensible shells differ by EI/(κGA L²) and EI/(EA L²)",
         json: data!("elastica_end_load") },
-    Entry { name: "heated_shells", quantity: "change of temperature at which a held plate buckles, curvature of two metals, one a row",
-        uncertainty: "exact for thin plates and for sections of two plies; rounding of the printed digits, 1e-10",
-        json: data!("heated_shells") },
     Entry { name: "contact_ring_between_plates", quantity: "force on a ring between rigid plates against their distance",
         uncertainty: "exact for the inextensible elastica; rounding of the printed digits, 1e-8; a ring that stretches is 1 % softer at t/R = .05",
         json: data!("contact_ring_between_plates") },
@@ -63,16 +61,6 @@ const CATALOGUE: &[Entry] = &[
     Entry { name: "contact_hemisphere_on_flat", quantity: "force on a hemisphere against the approach of a rigid flat",
         uncertainty: "two meshes of CalculiX within .3 % from .6 t on, 1 % up to 1.5 t; a shell on its mid-surface lacks a squeeze of .005 t",
         json: data!("contact_hemisphere_on_flat") },
-    Entry { name: "plasticity_hemisphere", quantity: "displacements under the forces of a hemisphere with linear hardening against load",
-        uncertainty: "two meshes of CalculiX within .13 % in the mean, .4 % at most", json: data!("plasticity_hemisphere") },
-    Entry { name: "plasticity_square_plate", quantity: "pressure on a square plate without hardening against the deflection of its centre",
-        uncertainty: "four meshes of CalculiX: .2 % to 20 mm, 2 % to 30, 3 % and too high beyond", json: data!("plasticity_square_plate") },
-    Entry { name: "plasticity_scordelis_roof", quantity: "load on a roof without hardening against deflections, past its limit",
-        uncertainty: "one mesh of CalculiX: 3 %, the limit load likely 2 % high", json: data!("plasticity_scordelis_roof") },
-    Entry { name: "plasticity_pinched_cylinder", quantity: "force on a pinched cylinder with linear hardening against its way",
-        uncertainty: "one mesh of CalculiX: 5 to 10 % in the first 10, 3 % beyond 60", json: data!("plasticity_pinched_cylinder") },
-    Entry { name: "plasticity_cook_membrane", quantity: "force on Cook's membrane with linear hardening against the way of its corner",
-        uncertainty: "two meshes of CalculiX within .14 % in the mean, .9 % at most", json: data!("plasticity_cook_membrane") },
     Entry { name: "sze_cantilever_end_moment", quantity: "tip displacement against end moment",
         uncertainty: "exact columns: rounding of the printed digits, 5e-4; S4R columns: within 0.014 (0.12 % of L) of the exact ones",
         json: data!("sze_cantilever_end_moment") },
@@ -165,7 +153,7 @@ const CATALOGUE: &[Entry] = &[
 
 /// Every reference there is: shells and solids, then fluids, then structures in fluids.
 pub fn catalogue() -> impl Iterator<Item = &'static Entry> {
-    CATALOGUE.iter().chain(flows::FLUIDS).chain(flows::STRUCTURES)
+    CATALOGUE.iter().chain(materials::SHELLS).chain(flows::FLUIDS).chain(flows::STRUCTURES)
 }
 
 /// Look a reference up by its name; an unknown name lists the known ones.

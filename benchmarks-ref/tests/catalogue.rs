@@ -181,3 +181,21 @@ fn heated_shells_are_their_closed_forms() {
     let curvature = 6.0 * 8e-6 * 100.0 * (1.0_f64 + m).powi(2) / (height * below);
     assert_abs_diff_eq!(table.number(1, "value").unwrap(), curvature, epsilon = 0.51e-10);
 }
+
+/// A ply under σ at an angle: `A σ² + B σ = 1` with `A = F₁₁c⁴ + F₂₂s⁴ + (F₆₆ + 2F₁₂)s²c²`, `B = F₁c² + F₂s²` \[tsai1971\].
+#[test]
+fn plies_off_their_axis_are_their_closed_form() {
+    let table = reference("ply_strength").unwrap();
+    let (f11, f22, f66): (f64, f64, f64) =
+        (1.0 / 1500.0_f64.powi(2), 1.0 / (40.0 * 246.0), 1.0 / 68.0_f64.powi(2));
+    for (row, angle) in [(0, 15.0_f64), (1, 45.0), (2, 75.0)] {
+        let (s, c) = libm::sincos(angle.to_radians());
+        let [ss, cc] = [s * s, c * c];
+        let f12 = -0.5 * (f11 * f22).sqrt();
+        let a = f11 * cc * cc + f22 * ss * ss + (f66 + 2.0 * f12) * ss * cc;
+        let b = (1.0 / 40.0 - 1.0 / 246.0) * ss;
+        let strength = (-b + (b * b + 4.0 * a).sqrt()) / (2.0 * a);
+        // 25 N/mm on half a millimetre.
+        assert_abs_diff_eq!(table.number(row, "tsai-wu").unwrap(), strength / 50.0, epsilon = 0.51e-9);
+    }
+}

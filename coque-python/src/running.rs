@@ -119,13 +119,7 @@ fn shown(scene: &Checked, keep: bool) -> Result<Cow<'_, Checked>, SceneError> {
         return Ok(Cow::Borrowed(scene));
     }
     let mut scene = scene.clone().into_scene();
-    scene.output.fields = Some(coque::scene::Fields {
-        every: 1,
-        extruded: false,
-        points: false,
-        stresses: false,
-        contact: false,
-    });
+    scene.output.fields = Some(coque::scene::Fields::MOTION);
     Ok(Cow::Owned(scene.check()?))
 }
 

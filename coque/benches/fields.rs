@@ -45,10 +45,11 @@ fn frames(c: &mut Criterion) {
                 stresses,
                 indicator: false,
                 contact: false,
+                of_stresses: coque::StressFields::default(),
                 driven: None,
                 forces: None,
             };
-            let wanted = Fields { every: 1, stresses, extruded, points: false, contact: false };
+            let wanted = Fields { stresses, extruded, ..Fields::MOTION };
             group.bench_function(format!("frame of {name}, {threads} threads"), |b| {
                 pool.install(|| {
                     b.iter(|| {

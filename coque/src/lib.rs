@@ -99,7 +99,15 @@
 //! ```text
 //! membrane-force, bending-moment   mean of e·N·e, e·M·e         shear-force   mean of Q·e
 //! stress                           mean of e·σ·e at a face      von-mises     largest at both faces, or at one
+//! max-, min-principal, tresca      largest, least, largest      principal-angle   mean of the angle from e to the axis of the greatest
+//! ply-stress                       mean of σ₁, σ₂ or τ          reserve-factor, failure-index   least, largest over the plies and the set
 //! energy                           sum of ½ w (N:e_m + M:κ + Q·γ)
+//! ```
+//!
+//! Through a plane with the point p and the normal n, over the particles of a set beyond it at rest, (X_a − p)·n > 0:
+//!
+//! ```text
+//! section-force   sum of ∂U/∂x_a·e        section-moment   sum of (x_a − q) × ∂U/∂x_a + d_a × ∂U/∂d_a, along e, about q
 //! ```
 //!
 //! A linear answer has no state: a column v is differentiated along the motion, by central differences over ε and 2ε,
@@ -171,7 +179,8 @@ pub use bodies::shell::warnings::warnings;
 pub use bodies::{
     Body, Configuration, Description, Diagnostics, DynamicBody, FieldRequest, FieldSource, FluidFigures,
     LoadResultants, Memory, Mismatch, Model, NoPush, NotShared, OneProcess, Outline, Part, PrescribedPoint,
-    Probe, Ready, Resultant, Shape, Spanned, State, StateArray, StaticBody, Surrounding, TangentCost, Task,
+    Probe, Ready, Resultant, Shape, Spanned, State, StateArray, StaticBody, StressFields, Surrounding,
+    TangentCost, Task,
 };
 pub use commands::{Launched, ProcessGroup, command_line, command_line_in, launched};
 pub use explicit_dynamics::Exert;

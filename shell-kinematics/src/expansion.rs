@@ -78,4 +78,25 @@ impl Expansion {
         let energy = 0.5 * (change * change * q0 + 2.0 * change * slope * q1 + slope * slope * q2);
         Blocked { resultants, energy }
     }
+
+    /// θ₀ in the middle \[Θ\] and θ₁ by height \[Θ/L\] of which resultants about the middle keep the section as it was, by least squares: `N_θ = θ₀ a₀ + θ₁ a₁`,
+    /// `M_θ = θ₀ a₁ + θ₁ a₂`, moments and θ₁ in units of the thickness. Zero where heat does nothing to the section.
+    pub(crate) fn temperatures(&self, resultants: &[f64; 6]) -> [f64; 2] {
+        let t = self.thickness;
+        let [a0, a1, a2] = &self.forces;
+        let column = |of: [&[f64; 3]; 2], by: f64| -> [f64; 6] {
+            std::array::from_fn(|i| if i < 3 { of[0][i] / by } else { of[1][i - 3] / (t * by) })
+        };
+        let [first, second] = [column([a0, a1], 1.0), column([a1, a2], t)];
+        let right: [f64; 6] = std::array::from_fn(|i| if i < 3 { resultants[i] } else { resultants[i] / t });
+        let dot = |a: &[f64; 6], b: &[f64; 6]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let [p, q, r] = [dot(&first, &first), dot(&first, &second), dot(&second, &second)];
+        let [x, y] = [dot(&first, &right), dot(&second, &right)];
+        let whole = p * r - q * q;
+        // Columns that are zero or along each other: what is left of them says one number.
+        if whole <= 1e-12 * p * r {
+            return if p > 0.0 { [x / p, 0.0] } else { [0.0; 2] };
+        }
+        [(x * r - y * q) / whole, (y * p - x * q) / whole / t]
+    }
 }

@@ -37,7 +37,7 @@ pub(crate) const GAUSS: [&[(f64, f64)]; 4] = [
 /// For a homogeneous elastic material it equals [`IsotropicSection`] to round-off (tested).
 #[derive(Clone, Debug)]
 pub struct IntegratedSection {
-    material: Isotropic,
+    pub(crate) material: Isotropic,
     /// `(ζ, weight)` \[L, L\].
     layers: Vec<(f64, f64)>,
     scales: SectionScales,

@@ -17,6 +17,7 @@ use crate::pack::Pack;
 use crate::section::{Isotropic, MaterialError, Section, SectionScales, finite_expansion, linear_tangent};
 use crate::stiffness::{Matrix3, Stiffness};
 use crate::strains::{Resultants, Strains};
+use crate::strength::Strength;
 use crate::tangent::Matrix8;
 use crate::transverse_shear::{Sheared, shear_correction};
 
@@ -29,6 +30,7 @@ pub struct Orthotropic {
     shear: f64,
     shear_across: f64,
     expansion: Option<[f64; 2]>,
+    strength: Option<Strength>,
 }
 
 impl Orthotropic {
@@ -60,7 +62,7 @@ impl Orthotropic {
         if left.is_nan() || left <= 0.0 {
             return Err(MaterialError::MajorPoisson { value: poisson, bound: (along / across).sqrt() });
         }
-        Ok(Self { along, across, poisson, shear, shear_across, expansion: None })
+        Ok(Self { along, across, poisson, shear, shear_across, expansion: None, strength: None })
     }
 
     /// The same with coefficients of thermal expansion along the fibre and across it \[1/Θ\], Θ a temperature.
@@ -71,11 +73,27 @@ impl Orthotropic {
         Ok(Self { expansion: Some([finite_expansion(along)?, finite_expansion(across)?]), ..self })
     }
 
+    /// The same with what a ply of it bears.
+    pub fn strong(self, strength: Strength) -> Self {
+        Self { strength: Some(strength), ..self }
+    }
+
+    /// What a ply of it bears, where that is known.
+    pub fn strength(&self) -> Option<&Strength> {
+        self.strength.as_ref()
+    }
+
+    /// Coefficients of thermal expansion along the fibre and across it \[1/Θ\], where they are known.
+    pub(crate) fn expansion(&self) -> Option<[f64; 2]> {
+        self.expansion
+    }
+
     /// One that is the same in all directions.
     pub(crate) fn isotropic(material: &Isotropic) -> Self {
-        let (young, shear) = (material.young, material.shear());
+        let (young, shear, poisson) = (material.young, material.shear(), material.poisson);
         let expansion = material.expansion.map(|own| [own; 2]);
-        Self { along: young, across: young, poisson: material.poisson, shear, shear_across: shear, expansion }
+        let strength = material.strength.map(Strength::Yield);
+        Self { along: young, across: young, poisson, shear, shear_across: shear, expansion, strength }
     }
 
     /// Strain `11, 22, 2·12` of a ply that is free, rotated by `angle` \[rad\], a degree of temperature \[1/Θ\].
@@ -154,9 +172,11 @@ pub struct Ply {
 ///
 /// Transverse shear is `Q = k Σ t_k Ḡ_k γ`: one shear strain for all plies, and one factor by which the energy is that of the shear stress of
 /// bending, 5/6 of plies of one material, small where a soft core lies between stiff faces (transverse_shear.rs).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct LayeredSection {
-    stiffness: Stiffness,
+    /// What is read of its plies (ply_stress.rs); no step looks at them.
+    pub(crate) plies: Vec<Ply>,
+    pub(crate) stiffness: Stiffness,
     scales: SectionScales,
     expansion: Option<Expansion>,
 }
@@ -201,7 +221,7 @@ impl LayeredSection {
         let stiffest = plies.iter().fold(0.0_f64, |most, ply| most.max(ply.material.stiffest()));
         let stiffness = Stiffness { membrane, coupling, bending, shear };
         let scales = stiffness.scales(thickness, stiffest * thickness);
-        Ok(Self { stiffness, scales, expansion })
+        Ok(Self { plies: plies.to_vec(), stiffness, scales, expansion })
     }
 }
 

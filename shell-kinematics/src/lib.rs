@@ -92,6 +92,9 @@
 //! Four sections lie side by side in a [`SectionPack`], each at its height; under resultants `N₀, M₀` where nothing is strained in a
 //! [`StressedPack`], which heat makes as well ([`Expansion`]). Four strain measures do in a [`StrainPack`].
 //!
+//! What the plies of a [`LayeredSection`] bear follows from its strains, and from its resultants where it is heated ([`Through`],
+//! [`LayeredSection::ply_stress`]); how near that is to failure, from a [`Strength`] and a [`Criterion`] ([`Margin`]).
+//!
 //! A section whose resultants depend on what its points went through has a [`Memory`], and its points a [`HistoryPack`] each four. Of
 //! sections that are not linear, or have a memory, four lie side by side in a [`MixedSection`].
 //!
@@ -209,6 +212,8 @@
 //! | rubber follows its closed forms, Rivlin's flexure too | tests/rubber.rs |
 //! | measures side by side are those alone | `measures_side_by_side_are_those_alone` (tests/packs.rs) |
 //! | sections that yield, of rubber and elastic ones side by side are those alone; a raised one is a ply | tests/mixed.rs |
+//! | strengths are met, reserve factors bring the index to one, a published example and off-axis strengths | tests/strength.rs |
+//! | stresses of plies add up to the resultants, heated ones too; turned and mirrored plies bear the same | tests/ply_stress.rs |
 //! | two plies by hand, the released bending stiffness | `two_plies_by_hand`, `scales_of_a_coupled_stack_are_released` |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -224,6 +229,7 @@ mod memory;
 mod mixed_section;
 mod pack;
 mod placement;
+mod ply_stress;
 mod rotation;
 mod section;
 mod section_pack;
@@ -233,6 +239,7 @@ mod strain;
 mod strain_measures;
 mod strain_pack;
 mod strains;
+mod strength;
 mod stressed_pack;
 mod tangent;
 mod transverse_shear;
@@ -251,6 +258,7 @@ pub use memory::Memory;
 pub use mixed_section::MixedSection;
 pub use pack::{Arithmetic, LANES, Number, Pack, Pack3};
 pub use placement::{MeasureForces, Measures, Placement, PlacementForces};
+pub use ply_stress::{Through, laminate_of};
 pub use rotation::parallel_transport;
 pub use section::{
     Isotropic, IsotropicSection, MaterialError, Section, SectionOf, SectionScales, linear_tangent,
@@ -261,5 +269,6 @@ pub use strain::{GreenLagrange, StrainMeasure, StrainsOf, StretchCorrected};
 pub use strain_measures::{strain_measure, strain_measures};
 pub use strain_pack::StrainPack;
 pub use strains::{Resultants, Strains};
+pub use strength::{Criterion, FibreStrength, Margin, Strength};
 pub use stressed_pack::StressedPack;
 pub use tangent::{Matrix8, Matrix15, ZERO8, congruence};

@@ -196,6 +196,8 @@ pub struct Isotropic {
     pub poisson: f64,
     /// Coefficient of thermal expansion α \[1/Θ\], where it is known.
     pub expansion: Option<f64>,
+    /// Yield strength that reserve factors refer to \[F/L²\], where it is known.
+    pub strength: Option<f64>,
 }
 
 impl Isotropic {
@@ -210,7 +212,7 @@ impl Isotropic {
         if !(poisson > -1.0 && poisson < 0.5) {
             return Err(MaterialError::Poisson(poisson));
         }
-        Ok(Self { young, poisson, expansion: None })
+        Ok(Self { young, poisson, expansion: None, strength: None })
     }
 
     /// The same with a coefficient of thermal expansion \[1/Θ\], Θ a temperature.
@@ -219,6 +221,11 @@ impl Isotropic {
     /// [`MaterialError::Constant`] unless it is finite.
     pub fn expanding(self, expansion: f64) -> Result<Self, MaterialError> {
         Ok(Self { expansion: Some(finite_expansion(expansion)?), ..self })
+    }
+
+    /// The same with a yield strength \[F/L²\], to which reserve factors by von Mises refer; nothing yields.
+    pub fn strong(self, strength: f64) -> Self {
+        Self { strength: Some(strength), ..self }
     }
 
     /// Plane-stress modulus `E/(1−ν²)` \[F/L²\].
@@ -250,6 +257,7 @@ pub struct IsotropicSection {
     poisson: f64,
     thickness: f64,
     expansion: Option<f64>,
+    strength: Option<f64>,
 }
 
 impl IsotropicSection {
@@ -269,7 +277,14 @@ impl IsotropicSection {
             poisson: material.poisson,
             thickness,
             expansion: material.expansion,
+            strength: material.strength,
         })
+    }
+
+    /// What it is made of.
+    pub(crate) fn material(&self) -> Isotropic {
+        let young = self.membrane / self.thickness * (1.0 - self.poisson * self.poisson);
+        Isotropic { young, poisson: self.poisson, expansion: self.expansion, strength: self.strength }
     }
 }
 

@@ -95,8 +95,12 @@ impl Regions {
     }
 
     fn at(&self, cell: usize) -> Option<&Region> {
-        let number = *self.of_cell.get(cell)?;
-        self.regions.get((number as usize).checked_sub(1)?)
+        self.regions.get(self.number(cell).checked_sub(1)?)
+    }
+
+    /// Number of the region of a cell, one up; zero of cells in none.
+    pub fn number(&self, cell: usize) -> usize {
+        self.of_cell.get(cell).map_or(0, |&number| number as usize)
     }
 
     /// Density of the region of a cell, if it has one \[M/L³\].

@@ -18,6 +18,8 @@ pub struct PointResult {
     pub strain: [f64; 6],
     /// Angle by which the point has turned, 0 … π.
     pub angle: f64,
+    /// Where the material axes of the stress point, as columns.
+    pub axes: Tensor,
 }
 
 impl Galerkin {
@@ -72,6 +74,11 @@ impl Galerkin {
         [force, moment]
     }
 
+    /// Material axes at rest, as columns.
+    pub fn axes(&self) -> &Tensor {
+        &self.axes
+    }
+
     /// All points of the quadrature, as they were when forces were last evaluated.
     pub fn point_results(&self) -> Vec<PointResult> {
         let of = |(trial, place): (&Trial, &Vec3)| {
@@ -82,7 +89,7 @@ impl Galerkin {
             let green = (f.transpose() * f - Tensor::identity()) * 0.5;
             let local = strains(&(self.axes.transpose() * green * self.axes));
             let stress = PAIRS.map(|(i, j)| cauchy[(i, j)]);
-            PointResult { place: *place, stress, strain: local, angle: angle(&rotation) }
+            PointResult { place: *place, stress, strain: local, angle: angle(&rotation), axes: turned }
         };
         self.trials.iter().zip(&self.space.places).map(of).collect()
     }

@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     CouplingOrder: TypeAlias = Union[Literal['structure-first'], Literal['fluid-first']]
     CowperSymonds = TypedDict("CowperSymonds", {"exponent": Union[float, str], "reference": Union[float, str]})
     Crack = TypedDict("Crack", {"corners": NotRequired[Sequence[Sequence[Union[float, str]]]], "from": NotRequired[Sequence[Union[float, str]]], "to": NotRequired[Sequence[Union[float, str]]]})
+    Criterion: TypeAlias = Union[Literal['tsai-wu'], Literal['hashin'], Literal['von-mises']]
     Cuboid = TypedDict("Cuboid", {"max": Sequence[Union[float, str]], "min": Sequence[Union[float, str]]})
     CutOut_1 = TypedDict("CutOut_1", {"ball": "Ball"})
     CutOut_2 = TypedDict("CutOut_2", {"cylinder": "RoundHole"})
@@ -67,11 +68,12 @@ if TYPE_CHECKING:
     Disc = TypedDict("Disc", {"centre": Sequence[Union[float, str]], "radius": Union[float, str], "spacing": Union[float, str]})
     Disorder = TypedDict("Disorder", {"fraction": Union[float, str], "seed": Union[int, str]})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]
-    Elastic = TypedDict("Elastic", {"density": Union[float, str], "expansion": NotRequired[Union[float, str]], "poisson": Union[float, str], "young": Union[float, str], "young-values": NotRequired[str]})
+    Elastic = TypedDict("Elastic", {"density": Union[float, str], "expansion": NotRequired[Union[float, str]], "poisson": Union[float, str], "strength": NotRequired[Union[float, str]], "young": Union[float, str], "young-values": NotRequired[str]})
     ErrorBars = TypedDict("ErrorBars", {"probes": NotRequired[Sequence["ErrorProbe"]], "sharpen": NotRequired[bool]})
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[Union[float, str]], "transient": NotRequired["Transient"]})
-    Fields = TypedDict("Fields", {"contact": NotRequired[bool], "every": NotRequired[Union[int, str]], "extruded": NotRequired[bool], "points": NotRequired[bool], "stresses": NotRequired[bool]})
+    FibreStrength = TypedDict("FibreStrength", {"across_compression": Union[float, str], "across_tension": Union[float, str], "along_compression": Union[float, str], "along_tension": Union[float, str], "interaction": NotRequired[Union[float, str]], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]]})
+    Fields = TypedDict("Fields", {"contact": NotRequired[bool], "every": NotRequired[Union[int, str]], "extruded": NotRequired[bool], "plies": NotRequired[bool], "points": NotRequired[bool], "principal": NotRequired[bool], "reserve": NotRequired["Criterion"], "stresses": NotRequired[bool]})
     Fixed: TypeAlias = Mapping[str, Any]
     FluidBlock = TypedDict("FluidBlock", {"lengths": Sequence[Union[float, str]], "origin": NotRequired[Sequence[Union[float, str]]], "spacing": Union[float, str]})
     FluidBlocks = TypedDict("FluidBlocks", {"parts": Sequence["FluidBox"], "spacing": Union[float, str]})
@@ -163,7 +165,7 @@ if TYPE_CHECKING:
     OfFile: TypeAlias = Mapping[str, Any]
     OnPlane = TypedDict("OnPlane", {"normal": Sequence[Union[float, str]], "point": Sequence[Union[float, str]], "within": NotRequired[Union[float, str]]})
     Orientation = TypedDict("Orientation", {"axis": Sequence[Union[float, str]], "degrees": Union[float, str]})
-    Orthotropic = TypedDict("Orthotropic", {"density": Union[float, str], "expansion": NotRequired[Sequence[Union[float, str]]], "poisson": Union[float, str], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]], "young_across": Union[float, str], "young_along": Union[float, str]})
+    Orthotropic = TypedDict("Orthotropic", {"density": Union[float, str], "expansion": NotRequired[Sequence[Union[float, str]]], "poisson": Union[float, str], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]], "strength": NotRequired["FibreStrength"], "young_across": Union[float, str], "young_along": Union[float, str]})
     OrthotropicSolid = TypedDict("OrthotropicSolid", {"axes": NotRequired[Sequence[Sequence[Union[float, str]]]], "density": Union[float, str], "poisson": Sequence[Union[float, str]], "shear": Sequence[Union[float, str]], "young": Sequence[Union[float, str]]})
     Output = TypedDict("Output", {"checkpoint_every": NotRequired[Union[float, str]], "fields": NotRequired["Fields"], "plot": NotRequired["Plot"]})
     PartFormulation = TypedDict("PartFormulation", {"stress-point": NotRequired["PartStressPoint"]})
@@ -175,11 +177,12 @@ if TYPE_CHECKING:
     Plate = TypedDict("Plate", {"disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[Union[float, str]]], "lengths": Sequence[Union[float, str]], "particles": NotRequired[Sequence[Union[int, str]]], "scattered": NotRequired["Scattered"]})
     Plot = TypedDict("Plot", {"log_x": NotRequired[bool], "log_y": NotRequired[bool], "x": str, "y": str})
     Ply = TypedDict("Ply", {"angle": Union[float, str], "material": NotRequired["Material"], "slices": NotRequired[Union[int, str]], "thickness": Union[float, str]})
+    PlyComponent: TypeAlias = Union[Literal['along'], Literal['across'], Literal['shear']]
     Polygon = TypedDict("Polygon", {"corners": Sequence[Sequence[Union[float, str]]]})
     Polyline = TypedDict("Polyline", {"points": Sequence[Sequence[Union[float, str]]], "side": "LineSide"})
     Prebuckling: TypeAlias = Union[Literal['rotations'], Literal['stress']]
     Pressure = TypedDict("Pressure", {"follower": NotRequired[bool], "value": NotRequired[Union[float, str]], "values": NotRequired[str]})
-    Probe = TypedDict("Probe", {"about": NotRequired[Sequence[Union[float, str]]], "at": NotRequired[Sequence[Union[float, str]]], "direction": NotRequired[Sequence[Union[float, str]]], "face": NotRequired["ShellFace"], "factor": NotRequired[Union[float, str]], "name": str, "of": "Measured", "on": Union[str, Sequence[str]], "take": NotRequired["Take"], "through": NotRequired["Through"], "unit": NotRequired[str]})
+    Probe = TypedDict("Probe", {"about": NotRequired[Sequence[Union[float, str]]], "at": NotRequired[Sequence[Union[float, str]]], "component": NotRequired["PlyComponent"], "criterion": NotRequired["Criterion"], "direction": NotRequired[Sequence[Union[float, str]]], "face": NotRequired["ShellFace"], "factor": NotRequired[Union[float, str]], "name": str, "of": "Measured", "on": Union[str, Sequence[str]], "ply": NotRequired[Union[int, str]], "take": NotRequired["Take"], "through": NotRequired["Through"], "unit": NotRequired[str]})
     QuasiStatic = TypedDict("QuasiStatic", {"accuracy": NotRequired[Union[float, str]], "damping": NotRequired["Damping"], "hold": NotRequired[Union[float, str]], "levels": "Levels", "period": NotRequired[Union[float, str]], "ramp": NotRequired[Union[float, str]], "stability": NotRequired[bool], "tolerance": NotRequired[Union[float, str]]})
     Rate_1 = TypedDict("Rate_1", {"cowper-symonds": "CowperSymonds"})
     Rate_2 = TypedDict("Rate_2", {"johnson-cook": "JohnsonCook"})
@@ -211,7 +214,7 @@ if TYPE_CHECKING:
     Section_4 = TypedDict("Section_4", {"file": "OfFile"})
     Section: TypeAlias = Union["Section_1", "Section_2", "Section_3", "Section_4"]
     ShakenBase = TypedDict("ShakenBase", {"acceleration": Sequence[Union[float, str]], "response": NotRequired["BaseResponse"]})
-    ShellFace: TypeAlias = Union[Literal['top'], Literal['bottom']]
+    ShellFace: TypeAlias = Union[Literal['top'], Literal['bottom'], Literal['middle']]
     ShellPart = TypedDict("ShellPart", {"formulation": NotRequired["PartFormulation"], "material": NotRequired["Material"], "offset": NotRequired[Union[float, str]], "on": str, "section": NotRequired["Section"]})
     ShellScene = TypedDict("ShellScene", {"formulation": NotRequired["Formulation"], "geometry": "Geometry", "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": "Material", "orientation": NotRequired["Orientation"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": "Section", "ties": NotRequired[Sequence["ShellTie"]], "tools": NotRequired[Sequence["ToolScene"]], "velocity": NotRequired["Velocity"], "wet": NotRequired["WetFaces"]})
     ShellTie = TypedDict("ShellTie", {"edge": str, "to": str})

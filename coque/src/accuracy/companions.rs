@@ -90,7 +90,7 @@ pub(super) type Places = (Vec<Vec3>, BTreeMap<String, Vec<u32>>);
 /// Places at rest and the sets of the one body.
 pub(super) fn placed(scene: &Checked, threads: usize) -> Result<Places, SceneError> {
     // Sets are kept where fields are asked for.
-    let fields = Fields { every: 1, extruded: false, points: false, stresses: false, contact: false };
+    let fields = Fields::MOTION;
     let shown = Scene { output: Output { fields: Some(fields), ..Output::default() }, ..alone(scene) };
     let model = shown.check()?.build(threads)?;
     let rest = model.body.body().configuration().rest.to_vec();

@@ -15,8 +15,8 @@ use super::figures::FluidFigures;
 use super::glue_now::GlueNow;
 use super::one_process::NotShared;
 use super::outline::Outline;
+use super::point_numbers::POINT_NUMBERS;
 use super::resultants::{LoadResultants, Resultant};
-use super::sampled::POINT_NUMBERS;
 use super::yielding::Yielding;
 use crate::Warning;
 use crate::ranks::Ranks;
@@ -38,6 +38,11 @@ pub trait Body: Send {
     /// Strains and resultants at some of the points where a shell samples them, each `e κ γ N M Q` in the frame of the point;
     /// none of another body.
     fn point_numbers(&self, _points: &[u32]) -> Vec<[f64; POINT_NUMBERS]> {
+        Vec::new()
+    }
+
+    /// Stress `xx, yy, zz, xy, yz, zx` of each node of one of its bodies, a solid \[F/L²\]; none of another body.
+    fn stresses(&self, _body: usize) -> Vec<[f64; 6]> {
         Vec::new()
     }
 

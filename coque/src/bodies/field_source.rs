@@ -5,6 +5,7 @@ use std::io;
 use mesh_io::FieldWriter;
 
 use crate::scene::units::Units;
+use crate::scene::{Criterion, Output};
 
 /// Kinds of states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,11 +33,41 @@ pub struct FieldRequest<'a> {
     pub indicator: bool,
     /// Whether it is wanted what particles feel of contact.
     pub contact: bool,
+    /// What else of stresses is wanted.
+    pub of_stresses: StressFields,
     /// The particle whose prescribed motion drives an analysis without time: it bears a reaction though no support
     /// holds it.
     pub driven: Option<u32>,
     /// The forces of a linear answer, as [`crate::StaticBody::forces`] orders them.
     pub forces: Option<&'a [f64]>,
+}
+
+/// What is wanted of stresses beside them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StressFields {
+    /// Principal stresses, their directions, Tresca's stress.
+    pub principal: bool,
+    /// Stresses of plies.
+    pub plies: bool,
+    /// Reserve factors by a criterion.
+    pub reserve: Option<Criterion>,
+}
+
+impl StressFields {
+    /// What a scene asks for.
+    pub(crate) fn asked(output: &Output) -> Self {
+        let of = |fields: crate::scene::Fields| Self {
+            principal: fields.principal,
+            plies: fields.plies,
+            reserve: fields.reserve,
+        };
+        output.fields.map_or_else(Self::default, of)
+    }
+
+    /// Whether any of it is.
+    pub(crate) fn any(self) -> bool {
+        self != Self::default()
+    }
 }
 
 /// What of a body is written.

@@ -8,6 +8,7 @@
 //! | what fields show of it | `shown.rs` |
 //! | which kind is built; what all kinds refuse | `build.rs`; `refusal.rs` |
 //! | what loads and supports amount to | `resultants.rs` |
+//! | what stresses say whatever their axes; stresses of plies | `invariants.rs`; `plies.rs` |
 //! | which rigid motions are free | `rigid.rs` |
 //! | bodies that nothing keeps apart | `outline.rs`, `unseen.rs` |
 //! | contacts with what they do now, and their names | `contact_now.rs`, `contacts_of_scene.rs` |
@@ -30,10 +31,13 @@ mod fluid;
 mod galerkin;
 mod glue_now;
 mod imperfect;
+mod invariants;
 pub(crate) mod memory;
 pub(crate) mod model;
 mod one_process;
 mod outline;
+mod plies;
+mod point_numbers;
 pub(crate) mod probe;
 mod refusal;
 mod resultants;
@@ -55,7 +59,7 @@ pub use body::{
 };
 use built_body::BuiltBody;
 pub use contact_now::{ContactFields, ContactNow, Spanned, With};
-pub use field_source::{FieldRequest, FieldSource, Part, State};
+pub use field_source::{FieldRequest, FieldSource, Part, State, StressFields};
 pub use figures::FluidFigures;
 pub use glue_now::GlueNow;
 pub use memory::Memory;

@@ -3,11 +3,15 @@
 use sph_core::Vec3;
 
 use super::body::Body;
-use super::sampled::POINT_NUMBERS;
+use super::invariants::{Principal, von_mises_in_space};
+use super::point_numbers::POINT_NUMBERS;
 use super::sampled::Sampled;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
 use crate::scene::{self, Measured, Scene, Take, mean_of};
+
+/// Numbers of a stress.
+const OF_STRESS: usize = 6;
 
 /// One column, measured.
 #[derive(Clone, Debug)]
@@ -85,6 +89,9 @@ impl Probe {
         if self.sampled.is_some() {
             return body.point_numbers(&self.particles).into_iter().flatten().collect();
         }
+        if self.of.is_of_stress() {
+            return self.stresses(body).into_iter().flatten().collect();
+        }
         match self.take {
             Take::Mean | Take::Sum => vec![self.read(body)],
             Take::Max | Take::Min => self.values(body),
@@ -95,6 +102,7 @@ impl Probe {
     pub(crate) fn part_count(&self) -> usize {
         match self.take {
             _ if self.sampled.is_some() => self.particles.len() * POINT_NUMBERS,
+            _ if self.of.is_of_stress() => self.particles.len() * OF_STRESS,
             Take::Mean | Take::Sum => 1,
             Take::Max | Take::Min => self.particles.len(),
         }
@@ -104,6 +112,9 @@ impl Probe {
     pub(crate) fn of_parts(&self, parts: &[f64]) -> f64 {
         if let Some(sampled) = &self.sampled {
             return self.taken(&sampled.values(parts.as_chunks().0));
+        }
+        if self.of.is_of_stress() {
+            return self.taken(&self.of_stresses(parts.as_chunks().0));
         }
         match self.take {
             Take::Mean | Take::Sum => parts.iter().sum(),
@@ -126,6 +137,9 @@ impl Probe {
         if let Some(sampled) = &self.sampled {
             return sampled.values(&body.point_numbers(&self.particles));
         }
+        if self.of.is_of_stress() {
+            return self.of_stresses(&self.stresses(body));
+        }
         if matches!(self.of, Measured::ContactGap | Measured::GreatestDepth | Measured::TouchingArea) {
             return self.nodal_contact(body);
         }
@@ -141,13 +155,44 @@ impl Probe {
             let a = self.particles[i] as usize;
             match self.of {
                 Measured::Rotation if followed => self.turns[i].1,
-                Measured::Moment | Measured::ReactionMoment | Measured::ContactMoment => {
-                    moment(body, (self.of, a), &self.direction, &self.about)
-                }
+                Measured::Moment
+                | Measured::ReactionMoment
+                | Measured::ContactMoment
+                | Measured::SectionMoment => moment(body, (self.of, a), &self.direction, &self.about),
                 of => body.read(of, a, &self.direction),
             }
         };
         (0..self.particles.len()).map(one).collect()
+    }
+
+    /// Stresses of the particles, all of one solid.
+    fn stresses(&self, body: &dyn Body) -> Vec<[f64; OF_STRESS]> {
+        let Some(&first) = self.particles.first() else { return Vec::new() };
+        let (of, own) = body.place(first as usize);
+        let before = first - own as u32;
+        let all = body.stresses(of);
+        let one = |&a: &u32| all.get((a - before) as usize).copied().unwrap_or_default();
+        self.particles.iter().map(one).collect()
+    }
+
+    /// What is taken of stresses `xx, yy, zz, xy, yz, zx`, one by one.
+    fn of_stresses(&self, stresses: &[[f64; OF_STRESS]]) -> Vec<f64> {
+        let e = self.direction;
+        let one = |&stress: &[f64; OF_STRESS]| {
+            let [xx, yy, zz, xy, yz, zx] = stress;
+            let principal = || Principal::of(stress);
+            match self.of {
+                Measured::VonMises => von_mises_in_space(stress),
+                Measured::MaxPrincipal => principal().stresses[0],
+                Measured::MinPrincipal => principal().stresses[2],
+                Measured::Tresca => principal().tresca(),
+                _ => {
+                    let normal = xx * e.x * e.x + yy * e.y * e.y + zz * e.z * e.z;
+                    normal + 2.0 * (xy * e.x * e.y + yz * e.y * e.z + zx * e.z * e.x)
+                }
+            }
+        };
+        stresses.iter().map(one).collect()
     }
 
     /// What the particles feel of contact, all of one body.
@@ -198,6 +243,7 @@ fn moment(body: &dyn Body, (of, at): (Measured, usize), along: &Vec3, about: &Ve
     let force = match of {
         Measured::Moment => Measured::Force,
         Measured::ContactMoment => Measured::ContactForce,
+        Measured::SectionMoment => Measured::SectionForce,
         _ => Measured::Reaction,
     };
     let force = [Vec3::x(), Vec3::y(), Vec3::z()].map(|axis| body.read(force, at, &axis));

@@ -1,10 +1,9 @@
 //! What follows from the strains of a shell at some of its points: stresses, section forces, energy.
 
+use super::invariants::{principal, tresca, von_mises};
+use super::plies::{OfPlies, Plies};
+use super::point_numbers::POINT_NUMBERS;
 use crate::scene::{Measured, ShellFace};
-
-/// Numbers of a point that grow with a small motion: strains `e11 e22 2e12 κ11 κ22 2κ12 γ1 γ2`, then the resultants
-/// `N11 N22 N12 M11 M22 M12 Q1 Q2`.
-pub const POINT_NUMBERS: usize = 16;
 
 /// What is known of a point at rest.
 #[derive(Clone, Copy, Debug)]
@@ -25,11 +24,16 @@ pub(crate) struct Sampled {
     pub of: Measured,
     pub face: Option<ShellFace>,
     pub points: Vec<PointAtRest>,
+    /// Plies at the same points, of what follows from theirs.
+    pub plies: Option<(Plies, OfPlies)>,
 }
 
 impl Sampled {
     /// The value at each point.
     pub fn values(&self, numbers: &[[f64; POINT_NUMBERS]]) -> Vec<f64> {
+        if let Some((plies, of)) = &self.plies {
+            return (0..).zip(numbers).map(|(point, numbers)| plies.value(point, *of, numbers)).collect();
+        }
         self.points.iter().zip(numbers).map(|(point, numbers)| self.value(point, numbers)).collect()
     }
 
@@ -39,10 +43,25 @@ impl Sampled {
         let (force, moment) = (three(8), three(11));
         let along = |[t11, t22, t12]: [f64; 3]| a * a * t11 + b * b * t22 + 2.0 * a * b * t12;
         let stress = |face: ShellFace| face_stress([force, moment], section, face);
-        let von_mises = |face: ShellFace| von_mises(stress(face));
+        // The worse of both faces where none is named.
+        let worst = |of: &dyn Fn([f64; 3]) -> f64| match self.face {
+            Some(face) => of(stress(face)),
+            None => of(stress(ShellFace::Top)).max(of(stress(ShellFace::Bottom))),
+        };
         match (self.of, self.face) {
-            (Measured::VonMises, Some(face)) => von_mises(face),
-            (Measured::VonMises, None) => von_mises(ShellFace::Top).max(von_mises(ShellFace::Bottom)),
+            (Measured::VonMises, _) => worst(&von_mises),
+            (Measured::Tresca, _) => worst(&|stress| tresca(principal(stress).0)),
+            (Measured::MaxPrincipal, _) => worst(&|stress| principal(stress).0[0]),
+            (Measured::MinPrincipal, _) => -worst(&|stress| -principal(stress).0[1]),
+            (Measured::PrincipalAngle, face) => {
+                let ([first, second], angle) = principal(stress(face.unwrap_or(ShellFace::Top)));
+                if first == second {
+                    return 0.0;
+                }
+                // Axes half a turn apart are one.
+                let (s, c) = libm::sincos(2.0 * (angle - libm::atan2(b, a)));
+                0.5 * libm::atan2(s, c)
+            }
             (Measured::Stress, face) => along(stress(face.unwrap_or(ShellFace::Top))),
             (Measured::MembraneForce, _) => along(force),
             (Measured::BendingMoment, _) => along(moment),
@@ -58,7 +77,7 @@ impl Sampled {
 }
 
 /// `σ11, σ22, σ12` \[F/L²\] at a face, from membrane forces and moments: `σ = N/t ± 6(M − eN)/t²`, the linear course of a
-/// homogeneous elastic section of the thickness t whose middle lies at the height e over the particles.
+/// homogeneous elastic section of the thickness t whose middle lies at the height e over the particles; `N/t` in the middle.
 ///
 /// Components along the frame of the point, per reference area; membrane strains are assumed small.
 pub(crate) fn face_stress(
@@ -66,14 +85,13 @@ pub(crate) fn face_stress(
     [thickness, height]: [f64; 2],
     face: ShellFace,
 ) -> [f64; 3] {
-    let side = if face == ShellFace::Top { 1.0 } else { -1.0 };
+    let side = match face {
+        ShellFace::Top => 1.0,
+        ShellFace::Bottom => -1.0,
+        ShellFace::Middle => return force.map(|force| force / thickness),
+    };
     let bending = side * 6.0 / (thickness * thickness);
     std::array::from_fn(|i| force[i] / thickness + bending * (moment[i] - height * force[i]))
-}
-
-/// `√(σ11² + σ22² − σ11 σ22 + 3 σ12²)`, plane stress \[F/L²\].
-pub(crate) fn von_mises([s11, s22, s12]: [f64; 3]) -> f64 {
-    (s11 * s11 + s22 * s22 - s11 * s22 + 3.0 * s12 * s12).sqrt()
 }
 
 #[cfg(test)]
@@ -89,13 +107,5 @@ mod tests {
             assert!((t * (top[i] + bottom[i]) / 2.0 - n[i]).abs() < 1e-14);
             assert!((t * t * (top[i] - bottom[i]) / 12.0 + e * n[i] - m[i]).abs() < 1e-14);
         }
-    }
-
-    #[test]
-    fn von_mises_of_tension_and_of_shear() {
-        assert!((von_mises([-2.0, 0.0, 0.0]) - 2.0).abs() < 1e-15);
-        // Pure shear τ, as itself and as ±τ at 45°: √3 τ.
-        assert!((von_mises([0.0, 0.0, 1.0]) - 3.0_f64.sqrt()).abs() < 1e-15);
-        assert!((von_mises([1.0, -1.0, 0.0]) - 3.0_f64.sqrt()).abs() < 1e-15);
     }
 }

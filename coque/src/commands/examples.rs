@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 97] = [
+const EXAMPLES: [Example; 98] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -80,6 +80,7 @@ const EXAMPLES: [Example; 97] = [
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
     Example::new("mass-on-column", 0.1, include_str!("../../../scenes/mass-on-column.toml")),
     Example::new("open-cylinder", 3.0, include_str!("../../../scenes/open-cylinder.toml")),
+    Example::new("open-hole", 0.1, include_str!("../../../scenes/meshes/open-hole.toml")),
     Example::new("panel", 14.0, include_str!("../../../scenes/panel.toml")),
     Example::new("panel-laminated", 22.0, include_str!("../../../scenes/panel-laminated.toml")),
     Example::new("panel-solid", 39.0, include_str!("../../../scenes/panel-solid.toml")),
@@ -144,7 +145,7 @@ const EXAMPLES: [Example; 97] = [
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.
-const FILES: [(&str, &str, &str); 11] = [
+const FILES: [(&str, &str, &str); 12] = [
     (
         "balloon-inflating",
         "balloon-inflating.inp",
@@ -154,6 +155,7 @@ const FILES: [(&str, &str, &str); 11] = [
     ("cook-yielding", "cook-yielding.inp", include_str!("../../../scenes/meshes/cook-yielding.inp")),
     ("disc-yielding", "disc-yielding.inp", include_str!("../../../scenes/meshes/disc-yielding.inp")),
     ("flanged-bracket", "flanged-bracket.geo", include_str!("../../../scenes/meshes/flanged-bracket.geo")),
+    ("open-hole", "open-hole.inp", include_str!("../../../scenes/meshes/open-hole.inp")),
     ("flanged-bracket", "flanged-bracket.msh", include_str!("../../../scenes/meshes/flanged-bracket.msh")),
     (
         "stiffened-panel-abaqus",

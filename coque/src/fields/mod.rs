@@ -22,7 +22,7 @@ use mesh_io::{At, FieldError, FieldWriter, Sheet, Values, rows};
 
 pub use files::{FieldFiles, SETS, Written};
 
-use crate::bodies::{Body, FieldRequest, FieldSource, Part, State, Task};
+use crate::bodies::{Body, FieldRequest, FieldSource, Part, State, StressFields, Task};
 use crate::results::picture::together;
 use crate::scene::Analysis;
 use crate::scene::units::Units;
@@ -64,6 +64,7 @@ impl<'a> Frame<'a> {
             stresses: false,
             indicator: false,
             contact: task.output.fields.is_some_and(|fields| fields.contact),
+            of_stresses: StressFields::asked(&task.output),
             driven,
             forces: None,
         };
@@ -137,6 +138,8 @@ pub(crate) struct Frames<'a> {
     indicator: bool,
     /// Whether frames show what particles feel of contact.
     contact: bool,
+    /// What else of stresses they show.
+    of_stresses: StressFields,
     /// Frames that the run had to show so far.
     pub(crate) offered: u64,
     /// Frames that the sink took.
@@ -173,8 +176,22 @@ impl<'a> Frames<'a> {
         let every = task.output.fields.map_or(1, |fields| fields.every).max(1);
         let units = task.units;
         let contact = task.output.fields.is_some_and(|fields| fields.contact);
+        let of_stresses = StressFields::asked(&task.output);
         let (offered, taken, failure) = (0, 0, None);
-        Self { sink, every, state, along, driven, units, indicator, contact, offered, taken, failure }
+        Self {
+            sink,
+            every,
+            state,
+            along,
+            driven,
+            units,
+            indicator,
+            contact,
+            of_stresses,
+            offered,
+            taken,
+            failure,
+        }
     }
 
     /// Hands a frame on if its turn has come; `Break` if the sink cannot go on.
@@ -204,8 +221,10 @@ impl<'a> Frames<'a> {
                 Along::Level => level,
                 Along::Number(first) => (first + number) as f64,
             };
-            let Self { state, driven, units, indicator, contact, .. } = *self;
-            let shown = FieldRequest { state, units, stresses: false, indicator, contact, driven, forces };
+            let Self { state, driven, units, indicator, contact, of_stresses, .. } = *self;
+            let stresses = false;
+            let shown =
+                FieldRequest { state, units, stresses, indicator, contact, of_stresses, driven, forces };
             let frame = Frame { body, shown, along, level, time };
             match self.sink.frame(&frame) {
                 Ok(()) => self.taken += 1,

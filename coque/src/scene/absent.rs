@@ -84,6 +84,13 @@ const ROWS: &[Row] = &[
         },
     ),
     (
+        &["failure", "tsai_wu", "tsai_hill", "hashin", "puck", "allowable"],
+        &["material", "elastic", "orthotropic", "layered", "plies"],
+        Instead(
+            "a material of a shell has `strength`, and columns `of = \"reserve-factor\"`, `criterion = \"tsai-wu\"`, \"hashin\" or \"von-mises\", say how near it is to it; nothing weakens",
+        ),
+    ),
+    (
         &["fracture", "crack", "cohesive", "delamination", "failure", "erosion", "damage"],
         &["", "shell", "elastic", "orthotropic", "material", "section", "homogeneous", "layered"],
         NotYet {
@@ -309,6 +316,8 @@ mod tests {
         ));
         assert!(matches!(absent("yield-stress", "material.elastic", &["young"]), Some(Instead(_))));
         assert!(matches!(absent("johnson-cook", "material.plastic", &["rate"]), Some(Instead(_))));
+        assert!(matches!(absent("failure", "material.orthotropic", &["strength"]), Some(Instead(_))));
+        assert_eq!(feature("failure", "section", &["layered"]), "fracture of shells");
         assert_eq!(feature("implicit", "analysis", &["explicit"]), "implicit steps in time");
         assert!(matches!(absent("fixed", "supports[2]", &["clamped"]), Some(Instead(_))));
     }

@@ -331,6 +331,8 @@ bounds! {
     Slices: usize, Range::Within(2.0, 100.0), "6 is usual, 10 for springback, 40 for a thousandth";
     /// Exponent of a law of hardening \[–\].
     Exponent: f64, Range::Within(0.0, 1.0), "0.1 to 0.3 are usual; 0 is perfect plasticity";
+    /// Number of a ply, from the lowest.
+    PlyNumber: usize, Range::Within(1.0, 10000.0), "plies are counted from the lowest, which is 1";
     /// Order of shape functions.
     Order: usize, Range::Within(1.0, 3.0), "orders 1, 2 and 3 exist";
     /// Number of a buckling mode: further ones are expensive, and seldom what a body is bent like.

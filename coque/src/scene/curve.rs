@@ -3,6 +3,9 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::bounded::PlyNumber;
+use super::criterion::{Criterion, PlyComponent, ShellFace};
+use super::through::Through;
 use super::units::Quantity;
 
 /// One column of the curve.
@@ -16,19 +19,27 @@ pub struct Probe {
     /// Particle set, or a list of sets: the union of them; of what strains make, such as stresses, a set of cells.
     pub on: String,
     /// What is taken of the values of its particles; left out, the mean, for forces, moments, fluxes, energies of cells and
-    /// fracture energies the sum, of von Mises' stress the largest.
+    /// fracture energies the sum, of von Mises' stress, Tresca's, the greatest principal stress and the failure index the largest, of the least
+    /// principal stress and the reserve factor the least.
     pub take: Option<Take>,
-    /// Component that is taken, in the un-turned frame; of damage, energies, pressures, densities, levels, fluxes and von
-    /// Mises' stress, which are numbers, none. Stresses, membrane forces and bending moments are those along it, at rest, in the
-    /// surface.
+    /// Component that is taken, in the un-turned frame; of damage, energies, pressures, densities, levels, fluxes, principal stresses and what
+    /// is made of them and of plies, which are numbers, none. Stresses, membrane forces and bending moments are those along it, at rest, in the
+    /// surface; a principal angle is counted from it.
     pub direction: Option<[f64; 3]>,
     /// Point about which a moment is taken \[L\]; left out, the origin.
     pub about: Option<[f64; 3]>,
-    /// Face of a shell at which a stress is taken; left out, of von Mises' stress the greater of both.
+    /// Face of a shell at which a stress is taken, or the middle of its thickness; of a stress of a ply, of that ply. Left out, of principal stresses,
+    /// von Mises' and Tresca's the worse of both faces.
     pub face: Option<ShellFace>,
+    /// Number of the ply, from the lowest, 1; left out, of reserve factors and failure indices the worst of all.
+    pub ply: Option<PlyNumber>,
+    /// Stress of a ply that is taken, in the axes of its fibre.
+    pub component: Option<PlyComponent>,
+    /// Criterion of a reserve factor or a failure index.
+    pub criterion: Option<Criterion>,
     /// Point at which a pressure, over which a level is measured \[L\]: on a fluid it stays, on walls it goes with them.
     pub at: Option<[f64; 3]>,
-    /// Line of a plane, face in space, through which a flux is measured.
+    /// Line of a plane, face in space, through which a flux is measured; of a section force or moment the cut.
     pub through: Option<Through>,
     /// Factor on the value, such as 4 for the reaction of a quarter model.
     #[serde(default = "one")]
@@ -36,30 +47,6 @@ pub struct Probe {
     /// Unit in which the column is written, such as `mm`, `kN` or `MPa`; left out, that of the scene. Values are converted. `-` beside a factor
     /// that divides by a quantity of the same kind: a ratio.
     pub unit: Option<String>,
-}
-
-/// A line of a plane, a face in space: the part between bounds of what lies across a normal.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Through {
-    /// A point of it \[L\].
-    pub point: [f64; 3],
-    /// Its normal, along which flow counts as positive; the length does not matter.
-    pub normal: [f64; 3],
-    /// Least coordinates of the part that counts \[L\]; left out, unbounded.
-    pub min: Option<[f64; 3]>,
-    /// Greatest coordinates of that part \[L\]; left out, unbounded.
-    pub max: Option<[f64; 3]>,
-}
-
-/// A face of a shell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum ShellFace {
-    /// The one to which the directors point.
-    Top,
-    /// The other.
-    Bottom,
 }
 
 /// What a column takes of the values of its particles.
@@ -84,8 +71,8 @@ impl Probe {
 }
 
 impl Take {
-    /// What is taken where nothing is said: the sum of forces, moments and energies that add up, the largest of von Mises'
-    /// stress and of depths, the least of gaps, else the mean.
+    /// What is taken where nothing is said: the sum of forces, moments and energies that add up, the largest of what fails by its size and of depths, the
+    /// least of gaps and of what fails by being small, else the mean.
     pub fn usual(of: Measured) -> Self {
         match of {
             Measured::Reaction
@@ -99,10 +86,19 @@ impl Take {
             | Measured::Force
             | Measured::Moment
             | Measured::ReactionMoment
+            | Measured::SectionForce
+            | Measured::SectionMoment
             | Measured::Energy
             | Measured::Flux => Self::Sum,
-            Measured::VonMises | Measured::GreatestDepth | Measured::PlasticStrain => Self::Max,
-            Measured::ContactGap | Measured::Thickness => Self::Min,
+            Measured::VonMises
+            | Measured::Tresca
+            | Measured::MaxPrincipal
+            | Measured::FailureIndex
+            | Measured::GreatestDepth
+            | Measured::PlasticStrain => Self::Max,
+            Measured::ContactGap | Measured::Thickness | Measured::MinPrincipal | Measured::ReserveFactor => {
+                Self::Min
+            }
             _ => Self::Mean,
         }
     }
@@ -164,10 +160,29 @@ pub enum Measured {
     Pieces,
     /// Stored energy by volume at a node of a solid \[F/L²\].
     StrainEnergy,
-    /// Von Mises' stress at the faces of a homogeneous shell \[F/L²\].
+    /// Von Mises' stress at the faces of a homogeneous shell, or at nodes of a solid \[F/L²\].
     VonMises,
-    /// Normal stress along a direction at a face of a homogeneous shell \[F/L²\].
+    /// Normal stress along a direction at a face of a homogeneous shell, or at nodes of a solid \[F/L²\].
     Stress,
+    /// Greatest principal stress, of a homogeneous shell in its surface \[F/L²\].
+    MaxPrincipal,
+    /// Least principal stress, of a homogeneous shell in its surface \[F/L²\].
+    MinPrincipal,
+    /// Tresca's stress, twice the greatest shear stress: the greatest difference of principal stresses, of a shell that of zero across it among them
+    /// \[F/L²\].
+    Tresca,
+    /// Angle about the normal of a homogeneous shell from a direction to the axis of the greatest principal stress, from −π/2 to π/2 \[rad\].
+    PrincipalAngle,
+    /// Stress of a ply of a shell in the axes of its fibre \[F/L²\].
+    PlyStress,
+    /// Factor on the stresses of a shell at which a criterion says that it fails, the least of its plies \[–\]; 1000 stands for all beyond.
+    ReserveFactor,
+    /// What a criterion says of the stresses of a shell, one at failure, the greatest of its plies \[–\].
+    FailureIndex,
+    /// Component of the force that goes through a cut of a shell: with which what lies beyond pulls at the rest \[F\].
+    SectionForce,
+    /// Component of the moment that goes through a cut of a shell, about a point \[F L\].
+    SectionMoment,
     /// Membrane force of a shell along a direction, by length across it \[F/L\].
     MembraneForce,
     /// Bending moment of a shell along a direction, by length across it, about the particles \[F L/L\].
@@ -219,6 +234,15 @@ impl Measured {
             Self::ReactionMoment => "reaction-moment",
             Self::VonMises => "von-mises",
             Self::Stress => "stress",
+            Self::MaxPrincipal => "max-principal",
+            Self::MinPrincipal => "min-principal",
+            Self::Tresca => "tresca",
+            Self::PrincipalAngle => "principal-angle",
+            Self::PlyStress => "ply-stress",
+            Self::ReserveFactor => "reserve-factor",
+            Self::FailureIndex => "failure-index",
+            Self::SectionForce => "section-force",
+            Self::SectionMoment => "section-moment",
             Self::MembraneForce => "membrane-force",
             Self::BendingMoment => "bending-moment",
             Self::ShearForce => "shear-force",
@@ -250,11 +274,17 @@ impl Measured {
             | Self::Thickness
             | Self::Level
             | Self::WetLength => Quantity::Length,
-            Self::Reaction | Self::ContactForce | Self::GlueForce | Self::Force => Quantity::Force,
-            Self::Rotation => Quantity::Angle,
-            Self::Director | Self::Damage | Self::GreatestDepth | Self::PlasticStrain | Self::Pieces => {
-                Quantity::Ratio
+            Self::Reaction | Self::ContactForce | Self::GlueForce | Self::Force | Self::SectionForce => {
+                Quantity::Force
             }
+            Self::Rotation | Self::PrincipalAngle => Quantity::Angle,
+            Self::Director
+            | Self::Damage
+            | Self::GreatestDepth
+            | Self::PlasticStrain
+            | Self::Pieces
+            | Self::ReserveFactor
+            | Self::FailureIndex => Quantity::Ratio,
             Self::TouchingArea => Quantity::Area,
             Self::Velocity => Quantity::Speed,
             Self::FractureEnergy
@@ -263,10 +293,17 @@ impl Measured {
             | Self::ContactMoment
             | Self::Moment
             | Self::ReactionMoment
+            | Self::SectionMoment
             | Self::Energy => Quantity::Energy,
-            Self::StrainEnergy | Self::Pressure | Self::EnclosedPressure | Self::Stress | Self::VonMises => {
-                Quantity::Stress
-            }
+            Self::StrainEnergy
+            | Self::Pressure
+            | Self::EnclosedPressure
+            | Self::Stress
+            | Self::VonMises
+            | Self::MaxPrincipal
+            | Self::MinPrincipal
+            | Self::Tresca
+            | Self::PlyStress => Quantity::Stress,
             Self::EnclosedVolume => Quantity::Volume,
             Self::MembraneForce | Self::ShearForce => Quantity::ForcePerLength,
             Self::BendingMoment => Quantity::MomentPerLength,
@@ -293,6 +330,12 @@ impl Measured {
                 | Self::Pieces
                 | Self::StrainEnergy
                 | Self::VonMises
+                | Self::MaxPrincipal
+                | Self::MinPrincipal
+                | Self::Tresca
+                | Self::PlyStress
+                | Self::ReserveFactor
+                | Self::FailureIndex
                 | Self::Energy
                 | Self::Pressure
                 | Self::Density
@@ -302,17 +345,26 @@ impl Measured {
         )
     }
 
+    /// Whether it is a stress, or made of one, that a homogeneous shell and a solid have alike.
+    pub fn is_of_stress(self) -> bool {
+        matches!(self, Self::VonMises | Self::Stress | Self::MaxPrincipal | Self::MinPrincipal | Self::Tresca)
+    }
+
+    /// Whether it follows from the stresses of plies.
+    pub fn is_of_plies(self) -> bool {
+        matches!(self, Self::PlyStress | Self::ReserveFactor | Self::FailureIndex)
+    }
+
+    /// Whether it goes through a cut.
+    pub fn is_of_section(self) -> bool {
+        matches!(self, Self::SectionForce | Self::SectionMoment)
+    }
+
     /// Whether it follows from the strains of a shell, where these are sampled.
     pub fn is_of_strains(self) -> bool {
-        matches!(
-            self,
-            Self::VonMises
-                | Self::Stress
-                | Self::MembraneForce
-                | Self::BendingMoment
-                | Self::ShearForce
-                | Self::Energy
-        )
+        let forces =
+            matches!(self, Self::MembraneForce | Self::BendingMoment | Self::ShearForce | Self::Energy);
+        forces || self.is_of_stress() || self.is_of_plies() || self == Self::PrincipalAngle
     }
 
     /// Whether a column of its mean since the last record stands beside it: an impact shorter than that is lost to instants.

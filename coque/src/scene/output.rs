@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::scene::bounded::Positive;
+use crate::scene::criterion::Criterion;
 
 /// Further results.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
@@ -36,6 +37,29 @@ pub struct Fields {
     /// What the particles of shells feel of contact: pressure, friction, depth, and whether they stick (1) or slip (2).
     #[serde(default)]
     pub contact: bool,
+    /// Principal stresses with their directions, and Tresca's stress: at both faces and the middle of homogeneous shells, at the nodes of solids.
+    #[serde(default)]
+    pub principal: bool,
+    /// Stresses of each ply of a shell in the axes of its fibre, at its lower and its upper face.
+    #[serde(default)]
+    pub plies: bool,
+    /// Reserve factors and failure indices of a shell by a criterion, and the number of the ply of least reserve; with `plies` the reserve factor of each
+    /// as well.
+    pub reserve: Option<Criterion>,
+}
+
+impl Fields {
+    /// Every frame, with the motion of the particles alone.
+    pub const MOTION: Self = Self {
+        every: 1,
+        extruded: false,
+        points: false,
+        stresses: false,
+        contact: false,
+        principal: false,
+        plies: false,
+        reserve: None,
+    };
 }
 
 /// The error of every number, from runs on coarser lattices, finer where there are none: in `curve.csv` beside each column, as a band in the plot,

@@ -10,8 +10,7 @@ use coque::scene::Fields;
 use coque::{Checked, FieldSink, Outcome, RunOptions, Scene, Silent};
 use sph_core::Vec3;
 
-pub const EVERYTHING: Fields =
-    Fields { every: 1, extruded: true, points: false, stresses: true, contact: false };
+pub const EVERYTHING: Fields = Fields { extruded: true, stresses: true, ..Fields::MOTION };
 
 pub fn scene(name: &str, replaced: &[(&str, &str)]) -> Checked {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name);

@@ -176,7 +176,7 @@ fn water_leans_on_a_gate_of_a_solid() {
 fn each_body_has_frames_of_its_own() {
     let folder = folder("gate");
     let scene = Scene::parse(SHELL_GATE, "scene.toml").unwrap();
-    let wanted = Fields { every: 1, extruded: true, stresses: false, points: false, contact: false };
+    let wanted = Fields { extruded: true, ..Fields::MOTION };
     let bodies = ["water", "gate", "tank"].map(|name| Written { name, shell: name == "gate", tools: false });
     let mut files = FieldFiles::create_all(&folder, &bodies, &wanted).unwrap();
     let outcome = run(&scene, &mut files);

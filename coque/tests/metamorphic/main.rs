@@ -25,7 +25,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 52] = [
+const SCENES: [(&str, Replaced); 56] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -81,7 +81,20 @@ const SCENES: [(&str, Replaced); 52] = [
     ("bar-bonds-yielding.toml", &DRAWN),
     ("plate-pd.toml", &[("analysis", "{ static = { levels = [0.02, 0.04] } }")]),
     ("../coque/tests/metamorphic/bar.toml", &[("analysis", "{ static = { levels = 3 } }")]),
+    ("../coque/tests/metamorphic/plies.toml", &[]),
+    ("../coque/tests/metamorphic/stressed.toml", &[]),
+    ("../coque/tests/metamorphic/bar.toml", &[("curve", STRESSES)]),
+    ("thick-ring-solid.toml", &[("curve", STRESSES)]),
 ];
+
+/// Stresses of a solid.
+const STRESSES: &str = "[
+    { name = \"mises\", of = \"von-mises\", on = \"all\" },
+    { name = \"tresca\", of = \"tresca\", on = \"all\" },
+    { name = \"greatest\", of = \"max-principal\", on = \"all\", take = \"mean\" },
+    { name = \"least\", of = \"min-principal\", on = \"all\" },
+    { name = \"along\", of = \"stress\", on = \"all\", direction = [1.0, 0.3, 0.0] },
+]";
 
 /// Between the modes, in a direction of no axis, seen from space.
 const SHAKEN: [(&str, &str); 3] = [

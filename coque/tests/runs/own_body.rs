@@ -107,7 +107,7 @@ fn it_goes_on_from_its_checkpoint_and_shows_its_fields() {
     let origin = || Origin::new("no scene", "beads".into(), Vec::new(), 1);
     let run = |patience: u64, from: Option<Checkpoint>| {
         let mut checkpoints = Checkpoints::new(&folder, origin(), 1e9);
-        let wanted = Fields { every: 1, extruded: false, stresses: false, points: false, contact: false };
+        let wanted = Fields::MOTION;
         let frames = from.as_ref().map_or(0, Checkpoint::frames);
         let mut files = FieldFiles::go_on(&folder, "beads", &wanted, frames).unwrap();
         let options = RunOptions {

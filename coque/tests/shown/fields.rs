@@ -92,6 +92,7 @@ fn the_extruded_shell_has_the_volume_of_the_shell() {
         stresses: false,
         indicator: false,
         contact: false,
+        of_stresses: coque::StressFields::default(),
         driven: None,
         forces: None,
     };

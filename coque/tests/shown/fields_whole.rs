@@ -124,7 +124,7 @@ fn a_second_run_leaves_nothing_of_the_first() {
     run(&scene, &mut FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap());
     fs::write(folder.join("shell-0001.vtu.part"), "half").unwrap();
     fs::write(folder.join("shell-notes.vtu"), "mine").unwrap();
-    let wanted = Fields { every: 5, extruded: false, points: false, stresses: false, contact: false };
+    let wanted = Fields { every: 5, ..Fields::MOTION };
     let mut files = FieldFiles::create(&folder, FieldFiles::LONE, &wanted).unwrap();
     assert_eq!(names(&folder), ["shell-notes.vtu"]);
     run(&self::scene("patch-test.toml", &[HINGE, ("analysis.static.levels", "1")]), &mut files);

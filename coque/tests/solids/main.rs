@@ -10,3 +10,4 @@ mod galerkin_faces;
 mod galerkin_support;
 mod solid;
 mod solid_warnings;
+mod stresses;

@@ -2,7 +2,7 @@
 
 use std::any::Any;
 
-use shell_kinematics::{LANES, Pack, PlasticSection, Section};
+use shell_kinematics::{LANES, LayeredSection, Pack, PlasticSection, Section, laminate_of};
 use sph_core::Vec3;
 
 use crate::Shell;
@@ -61,6 +61,17 @@ impl Shell {
     pub fn plastic_section_at(&self, point: usize) -> Option<&PlasticSection> {
         let section = self.material.regions.section(&self.material.section, point);
         (&**section as &dyn Any).downcast_ref()
+    }
+
+    /// The plies of its sections, that of cells in no region first; none of one whose stresses do not follow from its strains.
+    pub fn laminates(&self) -> Vec<Option<LayeredSection>> {
+        let all = std::iter::once(&self.material.section).chain(self.material.regions.sections());
+        all.map(|section| laminate_of(&**section)).collect()
+    }
+
+    /// The number of the section of a sampling point among [`Shell::laminates`].
+    pub fn laminate_at(&self, point: usize) -> usize {
+        self.material.regions.number(point)
     }
 
     /// What each sampling point has gone through, in the order of the reference's `operator.points`, nothing where its section does not yield; empty

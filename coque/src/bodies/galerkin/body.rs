@@ -35,6 +35,10 @@ impl Body for GalerkinSolid {
         fields(self, shown)
     }
 
+    fn stresses(&self, _body: usize) -> Vec<[f64; 6]> {
+        self.stresses_at_nodes()
+    }
+
     /// By node: the greatest plastic strain of the points of the cells round it, and its share of what they dissipated.
     fn yielding(&self, _body: usize) -> Vec<Yielding> {
         self.flowed_at_nodes()

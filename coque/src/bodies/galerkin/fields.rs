@@ -7,9 +7,10 @@ use std::io;
 use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use sph_core::Vec3;
 
-use super::recovery::RECOVERED;
+use super::recovery::{RECOVERED, all_of, in_space};
 use super::solid::GalerkinSolid;
-use crate::bodies::solid::fields::von_mises;
+use crate::bodies::invariants::von_mises_in_space;
+use crate::bodies::solid::fields::principal_fields;
 use crate::bodies::{FieldRequest, FieldSource, Part, State};
 use crate::scene::units::Quantity;
 
@@ -23,6 +24,17 @@ pub(super) fn fields<'a>(solid: &'a GalerkinSolid, shown: &FieldRequest<'a>) -> 
     let nodes = solid.galerkin().nodes();
     let linear = shown.forces.filter(|row| row.len() == (3 + RECOVERED) * nodes);
     let chunks = |row: &[f64]| row[3 * nodes..].as_chunks::<RECOVERED>().0.to_vec();
+    let principal = shown.of_stresses.principal;
+    let stresses = match shown.state {
+        State::Moving | State::Balance if principal => Some(solid.stresses_at_nodes()),
+        // Of a linear answer nothing has turned.
+        State::Linear if principal => linear.map(|row| {
+            let of =
+                |own: &[f64; RECOVERED]| in_space(std::array::from_fn(|i| own[i]), solid.galerkin().axes());
+            chunks(row).iter().map(of).collect()
+        }),
+        _ => None,
+    };
     let recovered = match shown.state {
         State::Moving | State::Balance if shown.stresses => Some(solid.at_nodes()),
         State::Linear if shown.stresses => linear.map(chunks),
@@ -36,7 +48,7 @@ pub(super) fn fields<'a>(solid: &'a GalerkinSolid, shown: &FieldRequest<'a>) -> 
         }
         State::Mode => None,
     };
-    Box::new(Content { solid, shown: *shown, recovered, reactions })
+    Box::new(Content { solid, shown: *shown, recovered, stresses, reactions })
 }
 
 /// What is written of one frame.
@@ -45,6 +57,8 @@ struct Content<'a> {
     shown: FieldRequest<'a>,
     /// Stress, strain and angle at nodes; none if they are not asked for, or have no size.
     recovered: Option<Vec<[f64; RECOVERED]>>,
+    /// Stress in space at nodes; none if its principal values are not asked for.
+    stresses: Option<Vec<[f64; 6]>>,
     /// Forces of supports; none where they are not known.
     reactions: Option<Vec<Vec3>>,
 }
@@ -77,6 +91,9 @@ impl Content<'_> {
         if let Some(values) = &self.recovered {
             self.stresses(to, values)?;
         }
+        if let Some(stresses) = &self.stresses {
+            principal_fields(to, stresses, &self.shown.units)?;
+        }
         self.flowed(to, || self.solid.flowed_at_nodes().iter().map(|own| own.plastic_strain).collect())
     }
 
@@ -108,16 +125,7 @@ impl Content<'_> {
         if self.recovered.is_none() || self.shown.state == State::Linear {
             return Ok(());
         }
-        let values: Vec<[f64; RECOVERED]> = results
-            .iter()
-            .map(|point| {
-                std::array::from_fn(|i| match i {
-                    0..6 => point.stress[i],
-                    6..12 => point.strain[i - 6],
-                    _ => point.angle,
-                })
-            })
-            .collect();
+        let values: Vec<[f64; RECOVERED]> = results.iter().map(all_of).collect();
         self.stresses(to, &values)
     }
 
@@ -141,7 +149,7 @@ impl Content<'_> {
         self.put(to, "rotation_angle", Quantity::Angle, &[], Values::Single(&angle))?;
         let mises = rows(count, |a| {
             let [xx, yy, zz, xy, yz, zx, ..] = values[a];
-            [von_mises([xx, yy, zz, xy, yz, zx]) as f32]
+            [von_mises_in_space([xx, yy, zz, xy, yz, zx]) as f32]
         });
         self.put(to, "von_mises", Quantity::Stress, &[], Values::Single(&mises))
     }

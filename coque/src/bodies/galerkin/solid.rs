@@ -5,7 +5,7 @@ use sph_core::{Cell, Vec3};
 use sr_galerkin::{Galerkin, Supports};
 
 use super::places::Places;
-use super::recovery::{RECOVERED, recovered};
+use super::recovery::{RECOVERED, all_of, in_space, recovered};
 use crate::bodies::Yielding;
 
 /// A Galerkin solid with what the application shows of it.
@@ -55,7 +55,13 @@ impl GalerkinSolid {
 
     /// Stress, strain and angle at the nodes.
     pub fn at_nodes(&self) -> Vec<[f64; RECOVERED]> {
-        recovered(&self.hexahedra, self.galerkin.rest(), &self.galerkin.point_results())
+        recovered(&self.hexahedra, self.galerkin.rest(), &self.galerkin.point_results(), all_of)
+    }
+
+    /// Stress `xx, yy, zz, xy, yz, zx` in space at the nodes \[F/L²\].
+    pub fn stresses_at_nodes(&self) -> Vec<[f64; 6]> {
+        let in_space = |point: &sr_galerkin::PointResult| in_space(point.stress, &point.axes);
+        recovered(&self.hexahedra, self.galerkin.rest(), &self.galerkin.point_results(), in_space)
     }
 
     /// By node: the greatest plastic strain of the points of the cells round it, and its share of what they dissipated; empty where nothing

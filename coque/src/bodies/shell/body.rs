@@ -16,7 +16,7 @@ use super::warnings::{among_preloaded_modes, between_lines};
 use super::yielding::{warnings, yielding};
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatch, StateArray, StaticBody};
-use crate::bodies::sampled::POINT_NUMBERS;
+use crate::bodies::point_numbers::POINT_NUMBERS;
 use crate::bodies::{
     ContactFields, ContactNow, FieldRequest, FieldSource, NotShared, Outline, Resultant, Yielding,
 };
@@ -48,6 +48,11 @@ impl Body for Shell {
             Measured::Director | Measured::Rotation => self.director(a).dot(along),
             Measured::ReactionMoment => {
                 (self.position(a).cross(&self.reaction(a)) + self.reaction_moment(a)).dot(along)
+            }
+            Measured::SectionForce => of_row(&self.internal_force(a))[0].dot(along),
+            Measured::SectionMoment => {
+                let [force, couple] = of_row(&self.internal_force(a));
+                (self.position(a).cross(&force) + self.director(a).cross(&couple)).dot(along)
             }
             Measured::Velocity => self.velocity(a).dot(along),
             Measured::EnclosedPressure => self.enclosed_at(a)[0],
@@ -142,6 +147,11 @@ impl Body for Shell {
         let fits = motion && self.take_up_contact(contact) && self.take_up_extremes(enclosed);
         if fits { Ok(()) } else { Err(Mismatch) }
     }
+}
+
+/// The two vectors of a row.
+fn of_row([x, y, z, p, q, r]: &[f64; 6]) -> [Vec3; 2] {
+    [Vec3::new(*x, *y, *z), Vec3::new(*p, *q, *r)]
 }
 
 /// Shares a shell.

@@ -6,9 +6,11 @@ use sph_shell::{Formulation, Shell};
 use super::build::Builder;
 use super::cells::CellSets;
 use crate::bodies::Probe;
+use crate::bodies::plies::{OfPlies, Plies};
 use crate::bodies::sampled::{PointAtRest, Sampled};
 use crate::bodies::sets::{self, Sets};
 use crate::scene;
+use crate::scene::Measured;
 use crate::scene::body_in_scene::OnSet;
 use crate::scene::error::SceneError;
 
@@ -25,6 +27,7 @@ impl Builder<'_> {
                 column.of.is_of_strains() && matches!(shell.formulation(), Formulation::StressPoint(_));
             let on = match in_cells {
                 true => cells.at(&path, column.on)?,
+                false if column.of.is_of_section() => self.beyond(column, sets, shell)?,
                 false => {
                     let cloud = &shell.reference().cloud;
                     sets::places(cloud, sets.at(self.scene, &path, column.on)?).collect()
@@ -75,7 +78,83 @@ impl Builder<'_> {
             let section = [section.thickness, section.height];
             Ok(PointAtRest { along, section, area: point.weight, initial })
         };
+        let plies = match column.of.is_of_plies() {
+            true => Some(self.plies_of(column, points, shell)?),
+            false => None,
+        };
         let points = points.iter().map(at_rest).collect::<Result<_, SceneError>>()?;
-        Ok(Sampled { of: column.of, face: column.face, points })
+        Ok(Sampled { of: column.of, face: column.face, points, plies })
+    }
+
+    /// The plies at the points of a column, each of which has what is asked of it.
+    fn plies_of(
+        &self,
+        column: &OnSet<'_, scene::Probe>,
+        points: &[u32],
+        shell: &Shell,
+    ) -> Result<(Plies, OfPlies), SceneError> {
+        let plies = Plies::of(shell, points.iter().map(|&p| p as usize));
+        let ply = column.ply.map(|ply| ply.get() - 1);
+        let fault = |key: &str, value: &str, bound: &str, repair: &str| {
+            SceneError::Choice(self.scene.source.fault(&column.at(key), value, bound, repair))
+        };
+        let count = |point: usize| plies.at(point).map_or(0, |own| own.plies().len());
+        if let Some(ply) = ply
+            && let Some(short) = (0..points.len()).map(count).find(|&count| count <= ply)
+        {
+            let bound = format!("one of all cells of the set, of which some have {short}");
+            let (value, repair) = ((ply + 1).to_string(), "take a set of cells that have as many plies");
+            return Err(fault("ply", &value, &bound, repair));
+        }
+        let whole = |key: &str| fault(key, "nothing", "given", "add it");
+        let of = match column.of {
+            Measured::PlyStress => OfPlies::Stress(
+                ply.ok_or_else(|| whole("ply"))?,
+                column.component.ok_or_else(|| whole("component"))?,
+                column.face.ok_or_else(|| whole("face"))?,
+            ),
+            of => {
+                let criterion = column.criterion.ok_or_else(|| whole("criterion"))?;
+                if !(0..points.len()).any(|point| plies.judged(point, ply)) {
+                    let bound = "on cells, or of a ply, of a material with a `strength`";
+                    let value = format!("\"{}\"", of.word());
+                    return Err(fault(
+                        "of",
+                        &value,
+                        bound,
+                        "add `strength` to it, or take another set or ply",
+                    ));
+                }
+                match of {
+                    Measured::ReserveFactor => OfPlies::Reserve(ply, criterion),
+                    _ => OfPlies::Index(ply, criterion),
+                }
+            }
+        };
+        Ok((plies, of))
+    }
+
+    /// The particles of a set that lie beyond a cut at rest.
+    fn beyond(
+        &self,
+        column: &OnSet<'_, scene::Probe>,
+        sets: &Sets,
+        shell: &Shell,
+    ) -> Result<Vec<u32>, SceneError> {
+        let all = sets.at(self.scene, &column.at("on"), column.on)?;
+        // The checks leave no section force without a cut.
+        let Some(through) = column.through else { return Ok(all.to_vec()) };
+        let (point, normal) = (self.turned(through.point), self.turned(through.normal));
+        let is_beyond = |a: usize| (shell.rest_position(a) - point).dot(&normal) > 0.0;
+        let beyond: Vec<u32> = all.iter().copied().filter(|&a| is_beyond(a as usize)).collect();
+        let sides = [beyond.is_empty(), (0..shell.len()).all(is_beyond)];
+        if let Some(side) = sides.into_iter().position(|empty| empty) {
+            let lies = if side == 0 { "no particle of the set lies beyond it" } else { "all lie beyond it" };
+            let (bound, repair) =
+                (format!("a cut through the shell: {lies}"), "move its point into the shell");
+            let value = format!("{:?}", through.point);
+            return Err(self.scene.source.value(&column.at("through.point"), value, &bound, repair));
+        }
+        Ok(beyond)
     }
 }

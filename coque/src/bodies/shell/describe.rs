@@ -177,11 +177,10 @@ fn lists(
             left_out.push("stresses of modes, which have a shape but no size".into());
         } else if matches!(scene.analysis, Analysis::Harmonic(_)) {
             left_out.push("stresses in the frames of peaks: columns have them".into());
-        } else if !scene.shell.section.homogeneous() {
-            let of = if matches!(scene.shell.section, Section::Layered(_)) {
-                "stresses of the plies"
-            } else {
-                "stresses"
+        } else if !scene.shell.section.homogeneous() && !scene.output.fields.is_some_and(|own| own.plies) {
+            let of = match scene.shell.section {
+                Section::Layered(_) => "stresses of the plies",
+                _ => "stresses",
             };
             left_out.push(format!("{of}: the fields hold resultants"));
         }

@@ -11,7 +11,9 @@ use sph_shell::{Formulation, PointResult, Shell, Yielded};
 
 use super::indicator::indicator;
 use super::linear_forces::LinearForces;
-use crate::bodies::sampled::{face_stress, von_mises};
+use super::stress_fields::Stressed;
+use crate::bodies::invariants::von_mises;
+use crate::bodies::sampled::face_stress;
 use crate::bodies::tool_shapes;
 use crate::bodies::{ContactFields, FieldRequest, FieldSource, Part, State};
 use crate::scene::ShellFace;
@@ -37,7 +39,8 @@ pub(crate) fn fields<'a>(
     };
     let (linear, reactions) =
         linear.map_or((None, None), |found| (Some(found.points), Some(found.reactions)));
-    let results = ((shown.stresses || shown.indicator) && forces).then(|| {
+    let wanted = shown.stresses || shown.indicator || shown.of_stresses.any();
+    let results = (wanted && forces).then(|| {
         linear.unwrap_or_else(|| {
             let mut results = vec![PointResult::default(); shell.reference().operator.points.len()];
             shell.point_results(&mut results);
@@ -97,7 +100,12 @@ impl Content<'_> {
         self.particles(to)?;
         self.indicator(to)?;
         self.yielding(to)?;
-        self.stresses(to)
+        self.stresses(to)?;
+        let Some(results) = self.results.as_ref().filter(|_| self.shown.of_stresses.any()) else {
+            return Ok(());
+        };
+        let stressed = Stressed { shell, results, units: self.shown.units, at: self.place() };
+        stressed.write(self.shown.of_stresses, to)
     }
 
     /// The body: a layer of hexahedra and wedges between the faces, half the thickness along the directors; lines where

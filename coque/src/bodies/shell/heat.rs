@@ -1,4 +1,4 @@
-//! From the changes of temperature of a scene to those of the cells of a shell; how materials expand.
+//! From the changes of temperature of a scene to those of the cells of a shell; isotropic materials, how they expand and what they bear.
 
 use shell_kinematics::{Isotropic, MaterialError};
 use sph_core::Cloud;
@@ -10,12 +10,13 @@ use super::cells::CellSets;
 use crate::scene::error::SceneError;
 use crate::scene::{Elastic, Temperature};
 
-/// An isotropic material with its expansion.
+/// An isotropic material with its expansion and its strength.
 ///
 /// # Errors
 /// [`MaterialError`] for numbers out of bounds.
 pub(super) fn isotropic(young: f64, elastic: &Elastic) -> Result<Isotropic, MaterialError> {
     let material = Isotropic::new(young, elastic.poisson)?;
+    let material = elastic.strength.map_or(material, |strength| material.strong(strength.get()));
     elastic.expansion.map_or(Ok(material), |expansion| material.expanding(expansion))
 }
 

@@ -3,7 +3,7 @@
 use sph_core::Vec3;
 use sph_shell::{PointResult, Shell};
 
-use crate::bodies::sampled::POINT_NUMBERS;
+use crate::bodies::point_numbers::POINT_NUMBERS;
 
 /// The forces of a linear answer: all of them grow with the load, none is that of the moved shell.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! From the plies of a scene to those of a section.
 
-use shell_kinematics::{MaterialError, Orthotropic, PlasticPly, Ply, PlyMaterial};
+use shell_kinematics::{FibreStrength, MaterialError, Orthotropic, PlasticPly, Ply, PlyMaterial, Strength};
 
 use super::build::Builder;
 use super::heat::isotropic;
@@ -53,6 +53,10 @@ fn made_of(material: &Material, ply: &scene::Ply) -> Result<PlyMaterial, Materia
         Material::Orthotropic(m) => {
             let across = m.shear_across.unwrap_or(m.shear);
             let fibre = Orthotropic::new(*m.young_along, *m.young_across, m.poisson, *m.shear, *across)?;
+            let fibre = match &m.strength {
+                Some(given) => fibre.strong(Strength::Fibre(strength(given)?)),
+                None => fibre,
+            };
             PlyMaterial::Orthotropic(m.expansion.map_or(Ok(fibre), |own| fibre.expanding(own))?)
         }
         Material::Elastic(m) => PlyMaterial::Elastic(isotropic(m.young.get(), m)?),
@@ -60,4 +64,16 @@ fn made_of(material: &Material, ply: &scene::Ply) -> Result<PlyMaterial, Materia
         // The checks leave a ply no other.
         Material::Rubber(_) | Material::Smeared(_) | Material::File(_) => return Err(MaterialError::NoPlies),
     })
+}
+
+/// What a ply bears.
+///
+/// # Errors
+/// [`MaterialError`] for numbers out of bounds.
+fn strength(given: &scene::FibreStrength) -> Result<FibreStrength, MaterialError> {
+    let along = [given.along_tension.get(), given.along_compression.get()];
+    let across = [given.across_tension.get(), given.across_compression.get()];
+    let plain = FibreStrength::new(along, across, given.shear.get())?;
+    let sheared = given.shear_across.map_or(Ok(plain), |own| plain.sheared_across(own.get()))?;
+    given.interaction.map_or(Ok(sheared), |own| sheared.interacting(own))
 }

@@ -7,7 +7,7 @@ use explicit_dynamics::{Dynamics, Exert};
 use peridynamics::{Solid, SolidError, StaticSolid};
 use sph_core::Vec3;
 
-use super::fields::fields;
+use super::fields::{fields, stress_of};
 use crate::bodies::body::{Body, Configuration, DynamicBody, Mismatch, StateArray, StaticBody};
 use crate::bodies::{FieldRequest, FieldSource, NotShared, Outline, Yielding};
 use crate::ranks::Ranks;
@@ -38,6 +38,10 @@ impl Body for Solid {
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self, shown)
+    }
+
+    fn stresses(&self, _body: usize) -> Vec<[f64; 6]> {
+        (0..self.len()).map(|a| stress_of(self, a)).collect()
     }
 
     fn yielding(&self, _body: usize) -> Vec<Yielding> {
@@ -131,6 +135,10 @@ impl<S: DerefMut<Target = Solid> + Send> Body for StaticSolid<S> {
 
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a> {
         fields(self.solid(), shown)
+    }
+
+    fn stresses(&self, body: usize) -> Vec<[f64; 6]> {
+        self.solid().stresses(body)
     }
 
     fn yielding(&self, body: usize) -> Vec<Yielding> {

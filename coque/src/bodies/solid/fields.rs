@@ -8,8 +8,9 @@ use mesh_io::{At, Connectivity, FieldWriter, Kind, Values, rows};
 use peridynamics::Solid;
 use sph_core::Vec3;
 
+use crate::bodies::invariants::{Principal, von_mises_in_space};
 use crate::bodies::{FieldRequest, FieldSource, Part, State};
-use crate::scene::units::Quantity;
+use crate::scene::units::{Quantity, Units};
 
 const XYZ: &[&str] = &[];
 const TENSOR: &[&str] = &["xx", "yy", "zz", "xy", "yz", "zx"];
@@ -95,18 +96,19 @@ impl Content<'_> {
             })?;
         }
         self.numbers(to, "strain_energy", Quantity::Stress, |a| solid.strain_energy(a))?;
+        if !self.shown.stresses && !self.shown.of_stresses.principal {
+            return Ok(());
+        }
+        let stresses: Vec<[f64; 6]> = (0..solid.len()).map(|a| stress_of(solid, a)).collect();
+        if self.shown.of_stresses.principal {
+            principal_fields(to, &stresses, &self.shown.units)?;
+        }
         if !self.shown.stresses {
             return Ok(());
         }
-        let stresses: Vec<[f64; 6]> = (0..solid.len())
-            .map(|a| {
-                let s = solid.stress(a);
-                [s[(0, 0)], s[(1, 1)], s[(2, 2)], s[(0, 1)], s[(1, 2)], s[(2, 0)]]
-            })
-            .collect();
         let all = rows(solid.len(), |a| stresses[a].map(|value| value as f32));
         self.put(to, "stress", Quantity::Stress, TENSOR, Values::Single(&all))?;
-        self.numbers(to, "von_mises", Quantity::Stress, |a| von_mises(stresses[a]))
+        self.numbers(to, "von_mises", Quantity::Stress, |a| von_mises_in_space(stresses[a]))
     }
 
     /// A number for each node, in single precision.
@@ -144,25 +146,30 @@ impl Content<'_> {
     }
 }
 
-/// `√(½[(xx − yy)² + (yy − zz)² + (zz − xx)²] + 3[xy² + yz² + zx²])` \[F/L²\].
-pub(in crate::bodies) fn von_mises([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> f64 {
-    let square = |x: f64| x * x;
-    let normal = square(xx - yy) + square(yy - zz) + square(zz - xx);
-    (0.5 * normal + 3.0 * (square(xy) + square(yz) + square(zx))).sqrt()
+/// Principal stresses of stresses `xx, yy, zz, xy, yz, zx` at points, the greatest first, with the axes of the first and the last, and Tresca's stress.
+pub(in crate::bodies) fn principal_fields(
+    to: &mut dyn FieldWriter,
+    stresses: &[[f64; 6]],
+    units: &Units,
+) -> io::Result<()> {
+    let found: Vec<Principal> = stresses.iter().map(|&stress| Principal::of(stress)).collect();
+    let (count, stress, ratio) = (found.len(), units.symbol(Quantity::Stress), units.symbol(Quantity::Ratio));
+    let all = rows(count, |a| found[a].stresses.map(|value| value as f32));
+    to.numbers(At::Points, "principal_stress", &stress, &["1", "2", "3"], Values::Single(&all))?;
+    for (name, which) in [("principal_direction_1", 0), ("principal_direction_3", 2)] {
+        let all = rows(count, |a| xyz(found[a].axes[which]).map(|value| value as f32));
+        to.numbers(At::Points, name, &ratio, XYZ, Values::Single(&all))?;
+    }
+    let all = rows(count, |a| [found[a].tresca() as f32]);
+    to.numbers(At::Points, "tresca", &stress, &[], Values::Single(&all))
+}
+
+/// Stress `xx, yy, zz, xy, yz, zx` of a node \[F/L²\].
+pub(super) fn stress_of(solid: &Solid, node: usize) -> [f64; 6] {
+    let s = solid.stress(node);
+    [s[(0, 0)], s[(1, 1)], s[(2, 2)], s[(0, 1)], s[(1, 2)], s[(2, 0)]]
 }
 
 fn xyz(v: Vec3) -> [f64; 3] {
     v.into()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn one_stress_alone_is_its_own_and_pressure_is_none() {
-        assert_eq!(von_mises([-2.0, 0.0, 0.0, 0.0, 0.0, 0.0]), 2.0);
-        assert_eq!(von_mises([5.0, 5.0, 5.0, 0.0, 0.0, 0.0]), 0.0);
-        assert_eq!(von_mises([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]), 3.0_f64.sqrt());
-    }
 }

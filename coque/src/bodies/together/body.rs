@@ -12,7 +12,7 @@ use super::layout::Layout;
 use super::parts::Parts;
 use crate::Warning;
 use crate::bodies::body::{Body, Configuration, Diagnostics, Mismatch, StateArray};
-use crate::bodies::sampled::POINT_NUMBERS;
+use crate::bodies::point_numbers::POINT_NUMBERS;
 use crate::bodies::{ContactNow, FieldRequest, FieldSource, GlueNow, Outline, Yielding};
 use crate::scene::Measured;
 
@@ -87,6 +87,10 @@ impl<S: Parts> Body for Together<S> {
     fn nodal_contact(&self, body: usize) -> Vec<NodalContact> {
         let particles = self.layout.particles.get(body).map_or(0, Range::len);
         self.system.nodal_contact(&self.layout.contacts, body, particles)
+    }
+
+    fn stresses(&self, body: usize) -> Vec<[f64; 6]> {
+        self.system.each().get(body).map_or_else(Vec::new, |part| part.stresses(0))
     }
 
     fn yielding(&self, body: usize) -> Vec<Yielding> {

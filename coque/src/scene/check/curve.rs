@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::gauges::check_gauge;
+use super::gauges::{check_cut, check_gauge};
 use super::harmonic::phases;
 use super::sets::{check_set_name, only_on};
+use super::stresses::{check_stress, check_stress_fields};
 use crate::scene::analysis::Analysis;
 use crate::scene::analysis_kind::Contacts;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
@@ -63,7 +64,8 @@ fn check_measured(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
         return refuse("of", "\"velocity\"", &bound, "use [analysis.explicit.transient]");
     }
     check_enclosed(scene, probe)?;
-    check_face_of_stress(scene, probe)?;
+    check_stress(scene, probe)?;
+    check_cut(scene, probe)?;
     check_measured_alike(scene.body, s, probe)
 }
 
@@ -87,40 +89,6 @@ fn check_enclosed(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
     Err(SceneError::Set(fault))
 }
 
-/// Stresses are those of a face, of a section whose stresses run linearly.
-fn check_face_of_stress(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
-    let (s, word) = (&scene.scope(), probe.of.word());
-    let stress = matches!(probe.of, Measured::Stress | Measured::VonMises);
-    if probe.face.is_some() && !stress {
-        let bound = format!("none: {word} is of no face");
-        return Err(SceneError::Choice(s.fault(&probe.at("face"), "a face", &bound, "remove `face`")));
-    }
-    if probe.of == Measured::Stress && probe.face.is_none() {
-        let repair = "add face = \"top\", to which the directors point, or face = \"bottom\"";
-        let fault = s.fault(&probe.at("face"), "nothing", "given: it has no default", repair);
-        return Err(SceneError::Missing(fault));
-    }
-    let layered = |shell: &ShellScene| !shell.section.homogeneous() || shell.yields_itself();
-    let of_shell = |shell: &ShellScene| {
-        layered(shell) || (0..shell.parts.len()).any(|part| layered(&shell.in_part(part)))
-    };
-    if stress && scene.as_shell().is_some_and(of_shell) {
-        let [bound, repair] = match scene.as_shell().is_some_and(ShellScene::yields) {
-            true => [
-                "`membrane-force`, `bending-moment`, `shear-force` or `plastic-strain` where a material yields",
-                "measure section forces: stresses do not run linearly through the thickness",
-            ],
-            false => [
-                "`membrane-force`, `bending-moment` or `shear-force` on plies",
-                "measure section forces: stresses differ from ply to ply",
-            ],
-        };
-        let value = format!("\"{word}\"");
-        return Err(SceneError::Choice(s.fault(&probe.at("of"), &value, bound, repair)));
-    }
-    Ok(())
-}
-
 /// Refuses a direction where there is nothing to take a component of, points and sections of what has none.
 pub(super) fn check_measured_alike(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     check_gauge(body, s, probe)?;
@@ -129,7 +97,9 @@ pub(super) fn check_measured_alike(body: &BodyScene, s: &Scope<'_>, probe: &OnSe
         Err(SceneError::Choice(s.fault(&probe.at(key), value, bound, repair)))
     };
     if let Some(about) = &probe.about {
-        if !matches!(probe.of, Measured::Moment | Measured::ReactionMoment | Measured::ContactMoment) {
+        let moments =
+            [Measured::Moment, Measured::ReactionMoment, Measured::ContactMoment, Measured::SectionMoment];
+        if !moments.contains(&probe.of) {
             let bound = format!("none: {word} is about no point");
             return refuse("about", "a point", &bound, "remove `about`, or measure a moment");
         }
@@ -186,10 +156,11 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
 fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
         BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director, Displacement,
-        EnclosedPressure, EnclosedVolume, Energy, Flux, Force, FractureEnergy, FrictionLoss, GreatestDepth,
-        Level, MembraneForce, Moment, Pieces, PlasticStrain, PlasticWork, Position, Pressure, Reaction,
-        ReactionMoment, Rotation, ShearForce, StrainEnergy, Stress, Thickness, TouchingArea, Velocity,
-        VonMises, WetLength,
+        EnclosedPressure, EnclosedVolume, Energy, FailureIndex, Flux, Force, FractureEnergy, FrictionLoss,
+        GreatestDepth, Level, MaxPrincipal, MembraneForce, MinPrincipal, Moment, Pieces, PlasticStrain,
+        PlasticWork, PlyStress, Position, Pressure, PrincipalAngle, Reaction, ReactionMoment, ReserveFactor,
+        Rotation, SectionForce, SectionMoment, ShearForce, StrainEnergy, Stress, Thickness, TouchingArea,
+        Tresca, Velocity, VonMises, WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
@@ -209,12 +180,14 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
         BodyScene::Shell(_) | BodyScene::Solid(_) => {}
     }
     let solid = scene.as_solid();
+    let stresses = [VonMises, Stress, MaxPrincipal, MinPrincipal, Tresca];
     if solid.is_some_and(|solid| solid.galerkin().is_some()) {
         let touching = [ContactForce, ContactMoment, ContactGap, GreatestDepth, TouchingArea];
         let touching = touching.into_iter().filter(|_| scene.may_touch());
         let yielding = [PlasticStrain, PlasticWork];
         let yielding = yielding.into_iter().filter(|_| solid.is_some_and(|own| own.material.yields()));
-        return [Displacement, Position, Reaction].into_iter().chain(yielding).chain(touching).collect();
+        let known = [Displacement, Position, Reaction].into_iter().chain(stresses);
+        return known.chain(yielding).chain(touching).collect();
     }
     let mut known = vec![Displacement, Position, Reaction, Velocity];
     if solid.is_none_or(SolidScene::has_directors) {
@@ -235,8 +208,11 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     }
     if solid.is_some() {
         known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);
+        known.extend(stresses.into_iter().filter(|_| !scene.in_fluid));
     } else if !scene.in_fluid {
-        known.extend([ReactionMoment, VonMises, Stress, MembraneForce, BendingMoment, ShearForce, Energy]);
+        known.extend([ReactionMoment, MembraneForce, BendingMoment, ShearForce, Energy]);
+        known.extend(stresses);
+        known.extend([PrincipalAngle, PlyStress, ReserveFactor, FailureIndex, SectionForce, SectionMoment]);
     }
     known
 }
@@ -266,6 +242,7 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
         s.sized(&probe.at("factor"), probe.factor)?;
         check_unit(scene, probe)?;
     }
+    check_stress_fields(scene)?;
     if scene.output.fields.is_some_and(|fields| fields.every == 0) {
         return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
     }

@@ -1,10 +1,35 @@
 //! Checks of gauges: points at which a fluid is looked at, sections through which it flows.
 
-use crate::scene::body_in_scene::OnSet;
+use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::curve::{Measured, Probe};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::BodyScene;
 use crate::scene::scope::Scope;
+
+/// A cut of a shell goes all through it, and what goes through it is what cells bear.
+pub(super) fn check_cut(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    let Some((shell, through)) = scene.as_shell().zip(probe.through).filter(|_| probe.of.is_of_section())
+    else {
+        return Ok(());
+    };
+    let s = &scene.scope();
+    for (key, bounds) in [("min", through.min), ("max", through.max)] {
+        if bounds.is_some() {
+            let bound = "none of a cut, which goes all through the shell";
+            let repair = "remove it; `on` names the particles that count";
+            let fault = s.fault(&probe.at(&format!("through.{key}")), "a bound", bound, repair);
+            return Err(SceneError::Choice(fault));
+        }
+    }
+    let value = format!("\"{}\"", probe.of.word());
+    let beside = [("ties", !shell.ties.is_empty()), ("rigid", !shell.rigid.is_empty())];
+    if let Some((key, _)) = beside.into_iter().find(|(_, any)| *any) {
+        let bound = format!("none beside [[{key}]]: what these carry over a cut is in no cell");
+        let repair = "measure `reaction` of what is held on one side, or `membrane-force` along the cut";
+        return Err(SceneError::Choice(s.fault(&probe.at("of"), &value, &bound, repair)));
+    }
+    Ok(())
+}
 
 /// Refuses a point and a section where nothing is measured at one, and what needs one without it.
 pub(super) fn check_gauge(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
@@ -40,6 +65,11 @@ fn check_point(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Ver
 fn check_section(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     let word = probe.of.word();
     let Some(through) = &probe.through else {
+        if probe.of.is_of_section() {
+            let repair = "add through = { point = [0.5, 0.0, 0.0], normal = [1, 0, 0] }";
+            let bound = "given: a section force is that through a cut";
+            return Err(SceneError::Missing(s.fault(&probe.at("through"), "nothing", bound, repair)));
+        }
         if probe.of != Measured::Flux {
             return Ok(());
         }
@@ -47,9 +77,9 @@ fn check_section(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> V
         let bound = "given: a flux is that through a line or a face";
         return Err(SceneError::Missing(s.fault(&probe.at("through"), "nothing", bound, repair)));
     };
-    if probe.of != Measured::Flux {
+    if probe.of != Measured::Flux && !probe.of.is_of_section() {
         let bound = format!("none: {word} goes through nothing");
-        let repair = "remove `through`, or measure a flux";
+        let repair = "remove `through`, or measure a flux, of a shell a section force";
         return Err(SceneError::Choice(s.fault(&probe.at("through"), "a section", &bound, repair)));
     }
     s.sized_all(&probe.at("through.point"), &through.point)?;

@@ -97,8 +97,8 @@ fn check_damping(scene: &BodyInScene<'_>, wanted: &Harmonic) -> Verdict {
 /// Refuses what has no amplitude: what is no linear number of the motion.
 fn check_swinging(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     use Measured::{
-        BendingMoment, Director, Displacement, MembraneForce, Reaction, ReactionMoment, Rotation, ShearForce,
-        Stress, Velocity,
+        BendingMoment, Director, Displacement, MembraneForce, PlyStress, Reaction, ReactionMoment, Rotation,
+        SectionForce, SectionMoment, ShearForce, Stress, Velocity,
     };
     let known = [
         Displacement,
@@ -111,6 +111,9 @@ fn check_swinging(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
         MembraneForce,
         BendingMoment,
         ShearForce,
+        PlyStress,
+        SectionForce,
+        SectionMoment,
     ];
     let s = &scene.scope();
     if !known.contains(&probe.of) {

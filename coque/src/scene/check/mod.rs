@@ -20,6 +20,7 @@ mod sets;
 mod several;
 mod shell;
 mod solid;
+mod stresses;
 mod together;
 mod tools;
 

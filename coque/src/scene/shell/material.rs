@@ -6,6 +6,7 @@ use serde::Deserialize;
 use crate::scene::bounded::Positive;
 use crate::scene::shell::plastic::Plastic;
 use crate::scene::shell::rubber::Rubber;
+use crate::scene::shell::strength::FibreStrength;
 
 /// Materials.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -93,6 +94,8 @@ pub struct Elastic {
     pub density: Positive,
     /// Coefficient of thermal expansion of a shell that is heated, by any unit Θ of temperature \[1/Θ\].
     pub expansion: Option<f64>,
+    /// Strength of a shell that von Mises' stress is held against in reserve factors \[F/L²\], such as the yield strength; nothing yields.
+    pub strength: Option<Positive>,
 }
 
 /// Orthotropic linear elasticity, alike in all directions across the fibre as far as plane stress asks.
@@ -113,4 +116,6 @@ pub struct Orthotropic {
     pub density: Positive,
     /// Coefficients of thermal expansion along the fibre and across it, by any unit Θ of temperature \[1/Θ\].
     pub expansion: Option<[f64; 2]>,
+    /// Strengths, for reserve factors of plies; nothing fails.
+    pub strength: Option<FibreStrength>,
 }

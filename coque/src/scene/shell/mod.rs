@@ -10,6 +10,7 @@ pub(crate) mod plastic;
 pub(crate) mod plies;
 pub(crate) mod rubber;
 pub(crate) mod section;
+pub(crate) mod strength;
 
 use schemars::JsonSchema;
 use serde::Deserialize;

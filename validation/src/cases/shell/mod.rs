@@ -25,6 +25,7 @@ pub mod pinched_cylinder_large;
 pub mod plate;
 mod plate_frequencies;
 mod plate_on_gas;
+mod ply_strength;
 pub mod point_load_smoothness;
 mod ring;
 mod ring_green_lagrange;
@@ -75,6 +76,7 @@ pub fn all() -> Vec<Case> {
             initial_stress::case(),
             heat::case(),
             sandwich_panel::case(),
+            ply_strength::case(),
             joined_cantilevers::case(),
         ],
     ));

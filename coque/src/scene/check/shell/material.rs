@@ -40,7 +40,10 @@ pub(super) fn check_orthotropic(material: &Orthotropic, s: &Scope<'_>) -> Verdic
     let repair = "ν_LT² must be less than E_L/E_T, or some strain would release energy; give the contraction across \
                   the fibre under stress along it";
     s.between(&at("poisson"), material.poisson, [-bound, bound], repair)?;
-    s.sized_all(&at("expansion"), &material.expansion.unwrap_or_default())
+    s.sized_all(&at("expansion"), &material.expansion.unwrap_or_default())?;
+    let interaction = material.strength.and_then(|own| own.interaction).unwrap_or_default();
+    let repair = "beyond that the surface of failure is not closed; leave it out for the usual -0.5";
+    s.between(&at("strength.interaction"), interaction, [-1.0, 1.0], repair)
 }
 
 impl ShellScene {
