@@ -193,6 +193,7 @@ pub use results::picture::{
     FieldNotThere, Picture, PictureExtent, picture_extent, picture_svg, strip, together, usual_field,
 };
 pub use results::plot::{PlotError, plot_svg};
+pub use run::cases_summary::{CaseSummary, CasesSummary, Envelope};
 pub use run::checkpoint::{
     CHECKPOINT, CHECKPOINT_ROWS, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY,
 };

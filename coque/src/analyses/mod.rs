@@ -2,6 +2,7 @@
 //! ends.
 
 mod breaking;
+mod cases;
 mod course;
 mod criticality;
 mod estimate;
@@ -27,6 +28,7 @@ use crate::bodies::{Description, Model, Resultant, TangentCost};
 use crate::fields::{FieldSink, Frames};
 use crate::results::curve::Curve;
 use crate::run::Run;
+use crate::run::cases_summary::CasesSummary;
 use crate::run::checkpoint::{Checkpoint, CheckpointError, Checkpoints, checksum};
 use crate::run::contact_watch::ContactWatch;
 use crate::run::impulses::Impulses;
@@ -87,6 +89,7 @@ impl Model {
             driven: self.driven,
             force_unit: self.driven.map(|_| self.task.units.symbol(Quantity::Force)),
             supports: None,
+            cases: None,
             frames: sink.map(|sink| Frames::new(sink, &self.task, driven, self.barred.is_some())),
             progress,
             checkpoints,
@@ -114,7 +117,13 @@ impl Model {
         described
     }
 
-    fn summary(self, record: RunRecord, supports: Option<Resultant>, ended: &Ended) -> Summary {
+    fn summary(
+        self,
+        record: RunRecord,
+        supports: Option<Resultant>,
+        cases: Option<CasesSummary>,
+        ended: &Ended,
+    ) -> Summary {
         let mut description = self.describe();
         let Self { task, threads, ranks, .. } = self;
         if let Analysis::Explicit(explicit) = &task.analysis {
@@ -127,6 +136,7 @@ impl Model {
             replaced: Vec::new(),
             analysis: task.analysis.word().into(),
             supports,
+            cases,
             threads,
             ranks: ranks.map(|ranks| ranks.number()),
             particle_steps_per_second: description.particles as f64 * marched as f64 / record.wall_seconds,

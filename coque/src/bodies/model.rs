@@ -15,7 +15,7 @@ use crate::Warning;
 use crate::ranks::Ranks;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Analysis, Checked, Harmonic, Output, Scene, phase_of};
+use crate::scene::{Analysis, CASE, Checked, Harmonic, Output, Scene, phase_of};
 
 /// What is asked of a body, whatever it is made of.
 #[derive(Clone, Debug)]
@@ -69,6 +69,8 @@ pub struct Model {
     pub(crate) contacts: ContactsOfScene,
     /// Its scene, where the errors of its numbers are asked for.
     pub(crate) barred: Option<Box<Checked>>,
+    /// Its scene, where that has load cases.
+    pub(crate) cases: Option<Box<Checked>>,
     /// Changes of the state from one level to the next, from which the levels of a static analysis start; none where each starts at the one
     /// before.
     pub(crate) increments: Vec<Vec<f64>>,
@@ -123,6 +125,7 @@ impl Model {
             judge: None,
             contacts: ContactsOfScene::default(),
             barred: None,
+            cases: None,
             increments: Vec::new(),
             ranks: None,
             sets: BTreeMap::new(),
@@ -191,7 +194,8 @@ impl Model {
         let quantity = |name: &str| match name {
             "time" => Quantity::Time,
             "level" if force => Quantity::Force,
-            "level"
+            CASE
+            | "level"
             | "iterations"
             | "negative_pivots"
             | "mode"
@@ -203,7 +207,8 @@ impl Model {
         };
         let unit = |name: &str| units.symbol(quantity(name));
         let kind = analysis.kind();
-        let always = analysis.columns().map(|name| Column { name: name.into(), unit: unit(name) });
+        let case = self.cases.as_ref().map(|_| CASE);
+        let always = case.into_iter().chain(analysis.columns()).map(|name| Column { name: name.into(), unit: unit(name) });
         let swings = matches!(analysis, Analysis::Harmonic(_));
         let phase = |name: &str| Column { name: phase_of(name), unit: units.symbol(Quantity::Angle) };
         let own = self.probes.iter().filter(|_| !kind.gives_modes);

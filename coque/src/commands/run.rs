@@ -84,6 +84,7 @@ Results, in DIR:
   curve.svg      the plot that [output] asks for
   fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; of a solid solid.pvd; written on the way;
                  sets.json has particles by the name of their set
+  cases.csv      with load cases: their rows by name, with the least and greatest of each column and where it is met
   summary.json   method, particles, steps, speed, energies, how each level ended, critical points
   view.html      the run in the browser, with --view or by `coque view DIR`
   scene.toml     a copy of the scene; what --set replaced stands at its end

@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use implicit_statics::EquilibriumError;
 use peers::Peers;
 
+use super::cases_summary::CasesSummary;
 use super::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Contents, Stage, checksum};
 use super::contact_watch::ContactWatch;
 use super::impulses::Impulses;
@@ -40,6 +41,8 @@ pub(crate) struct Run<'a> {
     pub force_unit: Option<String>,
     /// What the supports exerted at the last record.
     pub supports: Option<Resultant>,
+    /// What was found for load cases and combinations, in a scene that has some.
+    pub cases: Option<CasesSummary>,
     /// Looks at contact where the run records.
     pub contact: ContactWatch,
     /// Where frames of fields go, if anywhere.

@@ -1,6 +1,7 @@
 //! A run: what it is given, what it has found so far, how it is reported, kept and ended. What it does is an analysis.
 
 mod active_run;
+pub(crate) mod cases_summary;
 pub(crate) mod checkpoint;
 pub(crate) mod contact_watch;
 pub(crate) mod folder;

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::cases_summary::CasesSummary;
 use super::record::RunRecord;
 use crate::bodies::{Description, Resultant};
 use crate::results::error_bars::Errors;
@@ -24,6 +25,9 @@ pub struct Summary {
     /// What the supports exert, reduced to the centroid, at the last record; none where nothing was recorded or known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub supports: Option<Resultant>,
+    /// What was found for load cases and combinations; none in a scene without.
+    #[serde(skip_serializing_if = "Option::is_none", flatten)]
+    pub cases: Option<CasesSummary>,
     /// Threads used.
     pub threads: usize,
     /// Processes that ran it together, each with so many threads; none where one did.

@@ -22,6 +22,11 @@ pub struct Checked {
 }
 
 impl Checked {
+    /// A scene of which a checked one is a part, or a multiple: nothing in it is out of bounds that was not so before.
+    pub(super) fn made_of(scene: Scene) -> Self {
+        Self { scene }
+    }
+
     /// The scene, to be changed; [`Scene::check`] checks it anew.
     pub fn into_scene(self) -> Scene {
         self.scene

@@ -6,6 +6,7 @@ mod analysis;
 mod analysis_kind;
 pub(crate) mod body_in_scene;
 pub mod bounded;
+mod cases;
 pub(crate) mod catalogue;
 mod check;
 mod checked;
@@ -55,6 +56,8 @@ mod walls;
 
 pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
 pub use analysis_kind::{ANALYSES, AnalysisKind, Contacts};
+pub(crate) use cases::CASE;
+pub use cases::{Combination, LoadSet};
 pub use checked::Checked;
 pub use contact::ContactScene;
 pub use coupling::{Coupling, CouplingOrder};

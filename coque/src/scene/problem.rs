@@ -80,6 +80,9 @@ pub struct Scene {
     /// Numbers by particle in memory, by the names under which `values` calls them.
     #[serde(skip)]
     pub arrays: BTreeMap<String, Arc<Vec<f64>>>,
+    /// Whether it is what another scene is under one of its load cases: that one was held against the memory of the machine.
+    #[serde(skip)]
+    pub(crate) is_load_set: bool,
     /// The text the scene was read from.
     #[serde(skip, default = "Source::none")]
     pub source: Source,

@@ -39,7 +39,7 @@ pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
     if kind.wants_driver && !scene.together { check_driver(scene) } else { Ok(()) }
 }
 
-fn check_linear(scene: &BodyInScene<'_>, Linear { solver, iterations }: &Linear) -> Verdict {
+fn check_linear(scene: &BodyInScene<'_>, Linear { solver, iterations, .. }: &Linear) -> Verdict {
     let at = "analysis.linear.iterations";
     if let (LinearSolver::Direct, Some(iterations)) = (solver, iterations) {
         let bound = "left out where the solver is \"direct\": a factor does not iterate";

@@ -251,7 +251,7 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
     let s = &scene.scope();
     let phases = phases(scene);
     let mut names: BTreeSet<&str> =
-        scene.analysis.columns().chain(phases.iter().map(String::as_str)).collect();
+        scene.scene.first_columns().chain(phases.iter().map(String::as_str)).collect();
     for probe in &scene.curve {
         check_column_name(s, &probe.at("name"), &probe.name, &mut names)?;
         check_set_name(scene, &probe.at("on"), probe.on)?;
