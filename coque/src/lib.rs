@@ -199,6 +199,7 @@ pub use run::checkpoint::{
 };
 pub use run::folder::ResultFolder;
 pub use run::outcome::{Ended, Failure, Outcome};
+pub use run::over_time::OverTime;
 pub use run::progress::{Progress, ProgressReport, Silent};
 pub use run::record::{BalanceSummary, CountSummary, CriticalSummary, Energies, LevelSummary, RunRecord};
 pub use run::summary::Summary;

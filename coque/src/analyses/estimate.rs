@@ -178,7 +178,7 @@ fn steps(explicit: &Explicit, body: &mut dyn DynamicBody, dt: f64) -> Option<[f6
             [SHORTEST_HOLD, path.hold.get()].map(|hold| levels * (path.ramp.get() + hold) * period / dt),
         );
     }
-    let duration = explicit.transient.map_or(0.0, |run| run.duration.get());
+    let duration = explicit.transient.as_ref().map_or(0.0, |run| run.duration.get());
     Some([duration / dt; 2])
 }
 

@@ -18,6 +18,7 @@ use crate::run::checkpoint::{CheckpointError, Stage};
 use crate::run::contact_watch::ContactWatch;
 use crate::run::glue_watch;
 use crate::run::outcome::{Ended, Failure, Outcome};
+use crate::run::over_time::OverTime;
 
 /// A run under way: a model, how far its analysis has come, and what was found so far.
 ///
@@ -280,7 +281,12 @@ impl<'a> Simulation<'a> {
             record.warnings.extend(reported);
         }
         record.wall_seconds += started.elapsed().as_secs_f64();
-        let summary = model.summary(record, supports, cases, &ended);
+        let over_time = model.task.output.over_time.then(|| {
+            let first = model.task.analysis.columns().count();
+            OverTime::of(&curve, first)
+        });
+        let mut summary = model.summary(record, supports, cases, &ended);
+        summary.over_time = over_time.unwrap_or_default();
         let states = states.unwrap_or_default();
         Outcome { curve, summary, ended, shapes, states, cells }
     }

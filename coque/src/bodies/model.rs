@@ -15,7 +15,7 @@ use crate::Warning;
 use crate::ranks::Ranks;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Analysis, CASE, Checked, Harmonic, Output, Scene, phase_of};
+use crate::scene::{Analysis, CASE, Checked, Explicit, Harmonic, Output, Scene, Transient, phase_of};
 
 /// What is asked of a body, whatever it is made of.
 #[derive(Clone, Debug)]
@@ -38,8 +38,15 @@ impl Task {
         let mut analysis = analysis.clone();
         // What shakes a shell turns with its conditions.
         let turn = scene.as_shell().and_then(|shell| shell.orientation);
-        if let (Analysis::Harmonic(Harmonic { base: Some(base), .. }), Some(turn)) = (&mut analysis, turn) {
-            base.acceleration = (turn.rotation() * Vec3::from(base.acceleration)).into();
+        let shaken = match &mut analysis {
+            Analysis::Harmonic(Harmonic { base: Some(base), .. }) => Some(&mut base.acceleration),
+            Analysis::Explicit(Explicit { transient: Some(Transient { base: Some(base), .. }), .. }) => {
+                Some(&mut base.acceleration)
+            }
+            _ => None,
+        };
+        if let (Some(acceleration), Some(turn)) = (shaken, turn) {
+            *acceleration = (turn.rotation() * Vec3::from(*acceleration)).into();
         }
         Self { title: title.clone(), units, analysis, output: output.clone() }
     }

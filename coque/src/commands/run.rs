@@ -203,7 +203,7 @@ pub fn read_scene(path: &Path, replaced: &[(String, String)]) -> Result<(Checked
     let repair = || super::examples::suggestion(path).map_or_else(String::new, |words| format!("; {words}"));
     let text = read_text(path).map_err(|e| format!("cannot read {file}: {e}{}\n", repair()))?;
     let scene = Scene::with_overrides(&text, &file, replaced).map_err(|e| Refused::scene(&e))?;
-    let text = Scene::whole_text(&text, &file).map_err(|e| Refused::scene(&e))?;
+    let text = Scene::whole_text(&text, &file, replaced).map_err(|e| Refused::scene(&e))?;
     Ok((scene, text))
 }
 

@@ -35,6 +35,7 @@ pub(crate) mod owner;
 mod parameters;
 mod per_axis;
 mod problem;
+mod records;
 pub(crate) mod reference;
 pub(crate) mod render;
 mod rigid;
@@ -54,7 +55,7 @@ pub(crate) mod units;
 mod velocity;
 mod walls;
 
-pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
+pub use analysis::{Analysis, Damping, Explicit, MovingBase, QuasiStatic, Transient};
 pub use analysis_kind::{ANALYSES, AnalysisKind, Contacts};
 pub(crate) use cases::CASE;
 pub use cases::{Combination, LoadSet};
@@ -78,6 +79,7 @@ pub use loads::{Axis, Couple, Force, Gas, Gravity, Load, LoadKind, Pressure, Tem
 pub use output::{ErrorBars, ErrorProbe, Fields, Output, Plot};
 pub use per_axis::PerAxis;
 pub use problem::{BodyScene, Scene};
+pub use records::{Baseline, ColumnOfFile, Record};
 pub use rigid::{Coat, RigidBall, RigidBox, RigidGeometry, RigidScene};
 pub use sets::{Box3, Layer, Near, OnPlane, Region};
 pub use shell::ShellScene;

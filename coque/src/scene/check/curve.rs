@@ -266,6 +266,11 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
         s.sized(&probe.at("factor"), probe.factor)?;
         check_unit(scene, probe)?;
     }
+    if scene.output.over_time && !scene.analysis.kind().passes_time {
+        let bound = format!("false in {}: no time passes", scene.analysis.kind().name);
+        let repair = "remove it, or use [analysis.explicit.transient]";
+        return Err(SceneError::Choice(s.fault("output.over_time", "true", &bound, repair)));
+    }
     if scene.output.fields.is_some_and(|fields| fields.every == 0) {
         return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
     }

@@ -2,6 +2,7 @@
 
 mod amplitude;
 mod analysis;
+mod base;
 mod cases;
 mod conditions;
 mod contact;
