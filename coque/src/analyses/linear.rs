@@ -226,13 +226,7 @@ pub(super) fn warning_stability(inertia: Inertia, run: &mut Run<'_>) {
 const LARGE: [f64; 2] = [0.15, 0.5];
 
 /// Warns of an answer, to a load case where there are some, that is too large to be linear; `largest` is the largest displacement of the places `there`.
-fn warning_size(
-    to: Option<&str>,
-    system: &dyn StaticBody,
-    there: &[Vec3],
-    largest: f64,
-    run: &mut Run<'_>,
-) {
+fn warning_size(to: Option<&str>, system: &dyn StaticBody, there: &[Vec3], largest: f64, run: &mut Run<'_>) {
     let Configuration { rest, cells, .. } = system.configuration();
     // Of fibres between neighbours of a cell; what a fibre moves by across itself, over its length.
     let sides = cells.iter().flat_map(|cell| {

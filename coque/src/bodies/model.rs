@@ -215,7 +215,10 @@ impl Model {
         let unit = |name: &str| units.symbol(quantity(name));
         let kind = analysis.kind();
         let case = self.cases.as_ref().map(|_| CASE);
-        let always = case.into_iter().chain(analysis.columns()).map(|name| Column { name: name.into(), unit: unit(name) });
+        let always = case
+            .into_iter()
+            .chain(analysis.columns())
+            .map(|name| Column { name: name.into(), unit: unit(name) });
         let swings = matches!(analysis, Analysis::Harmonic(_));
         let phase = |name: &str| Column { name: phase_of(name), unit: units.symbol(Quantity::Angle) };
         let own = self.probes.iter().filter(|_| !kind.gives_modes);

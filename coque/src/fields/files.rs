@@ -188,7 +188,9 @@ impl FieldSink for FieldFiles {
             };
             let mut surface = || surface.add_named(along, case, |to| fields.write(Part::Surface, to));
             let mut further = || {
-                further.iter_mut().try_for_each(|(part, own)| own.add_named(along, case, |to| fields.write(*part, to)))
+                further
+                    .iter_mut()
+                    .try_for_each(|(part, own)| own.add_named(along, case, |to| fields.write(*part, to)))
             };
             // While a frame is written no step is made: where the run has threads, two of them write. A run on one thread
             // has no pool, and must not wake that of the whole process.

@@ -15,7 +15,8 @@ pub(crate) struct BaseMotion {
 impl BaseMotion {
     /// That of an analysis which asks for displacements to space.
     pub fn of(analysis: &Analysis) -> Option<Self> {
-        let Analysis::Explicit(Explicit { transient: Some(Transient { base: Some(base), .. }), .. }) = analysis
+        let Analysis::Explicit(Explicit { transient: Some(Transient { base: Some(base), .. }), .. }) =
+            analysis
         else {
             return None;
         };

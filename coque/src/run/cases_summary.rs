@@ -65,7 +65,8 @@ impl CasesSummary {
 
     /// Takes in an answer with the numbers of its columns.
     pub(crate) fn take(&mut self, case: CaseSummary, columns: &[f64]) {
-        for (own, &x) in self.envelope.iter_mut().zip(columns).filter(|_| case.set.combines == self.combined) {
+        for (own, &x) in self.envelope.iter_mut().zip(columns).filter(|_| case.set.combines == self.combined)
+        {
             if x < own.least {
                 (own.least, own.least_in) = (x, case.set.name.clone());
             }
@@ -84,7 +85,9 @@ impl CasesSummary {
     pub fn write_csv(&self, curve: &Curve, to: &mut impl Write) -> io::Result<()> {
         let first = curve.columns.len() - self.envelope.len();
         let titles: Vec<String> = curve.columns[first..].iter().map(Column::title).collect();
-        let mut row = |name: &str, cells: Vec<String>| writeln!(to, "{}", [vec![name.into()], cells].concat().join(","));
+        let mut row = |name: &str, cells: Vec<String>| {
+            writeln!(to, "{}", [vec![name.into()], cells].concat().join(","))
+        };
         row("case", titles)?;
         for (case, numbers) in self.cases.iter().zip(&curve.rows) {
             row(&case.set.name, numbers[first..].iter().map(|x| format!("{x:?}")).collect())?;

@@ -50,7 +50,8 @@ impl OverTime {
             }
         }
         let length = end - begin;
-        let (mean, square) = if length > 0.0 { (integral / length, squares / length) } else { (start, start * start) };
+        let (mean, square) =
+            if length > 0.0 { (integral / length, squares / length) } else { (start, start * start) };
         Some(Self {
             column: column.clone(),
             mean,
@@ -82,7 +83,10 @@ mod tests {
         assert!((found.mean - 1.0).abs() < 1e-13 && (found.integral - 2.0).abs() < 1e-13, "{found:?}");
         let exact = 5.5_f64.sqrt();
         assert!((found.root_mean_square / exact - 1.0).abs() < 1e-4, "{found:?}");
-        assert!((found.greatest - 4.0).abs() < 1e-12 && (found.greatest_at - 0.25).abs() < 1e-12, "{found:?}");
+        assert!(
+            (found.greatest - 4.0).abs() < 1e-12 && (found.greatest_at - 0.25).abs() < 1e-12,
+            "{found:?}"
+        );
         assert!((found.least + 2.0).abs() < 1e-12 && (found.least_at - 0.75).abs() < 1e-12, "{found:?}");
         assert!(OverTime::of(&Curve { rows: Vec::new(), ..curve }, 1).is_empty());
     }

@@ -62,16 +62,10 @@ impl Scene {
 
     /// Load cases, then combinations: an answer each. Empty in a scene without cases.
     pub fn load_sets(&self) -> Vec<LoadSet> {
-        let case = |name: &str| LoadSet {
-            name: name.into(),
-            combines: false,
-            of: [(name.to_string(), 1.0)].into(),
-        };
-        let combined = |own: &Combination| LoadSet {
-            name: own.name.clone(),
-            combines: true,
-            of: own.of.clone(),
-        };
+        let case =
+            |name: &str| LoadSet { name: name.into(), combines: false, of: [(name.to_string(), 1.0)].into() };
+        let combined =
+            |own: &Combination| LoadSet { name: own.name.clone(), combines: true, of: own.of.clone() };
         let cases = self.cases().into_iter().map(case);
         cases.chain(self.combinations().iter().map(combined)).collect()
     }

@@ -105,11 +105,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`SceneError`] for files that cannot be read or are no TOML.
-    pub fn whole_text(
-        text: &str,
-        origin: &str,
-        replaced: &[(String, String)],
-    ) -> Result<String, SceneError> {
+    pub fn whole_text(text: &str, origin: &str, replaced: &[(String, String)]) -> Result<String, SceneError> {
         let files = includes::read(text, origin)?;
         let source = Self::texts(text, origin, replaced, &files);
         let whole = source.text();
@@ -121,7 +117,11 @@ impl Scene {
         records.extend(records::files_of(with_replaced.get_ref(), &source)?);
         let alone = files.is_empty() && !records::holds_files(table.get_ref());
         if alone || records.is_empty() && files.is_empty() {
-            return Ok(if records.is_empty() { text.into() } else { text.to_string() + &records::written(&records) });
+            return Ok(if records.is_empty() {
+                text.into()
+            } else {
+                text.to_string() + &records::written(&records)
+            });
         }
         records::keep(table.get_mut(), records);
         let names: Vec<&str> = files.iter().map(|file| file.origin.as_str()).collect();

@@ -151,7 +151,8 @@ mod tests {
         assert_eq!(said(buckling, &[1.0]).1, Some("mode 1, level 4".into()));
         let cases = "case [-],level [-]\n1.0,1.0\n2.0,1.0\n";
         assert_eq!(said(cases, &[1.0, 2.0]), (vec![Some(0), Some(1)], Some("case 2".into())));
-        let summary = serde_json::json!({ "cases": [{ "name": "dead" }, { "name": "uls", "combines": true }] });
+        let summary =
+            serde_json::json!({ "cases": [{ "name": "dead" }, { "name": "uls", "combines": true }] });
         let curve: Curve = cases.parse().unwrap();
         let named = Along::of(&curve, &[1.0, 2.0]).with_cases(Some(&summary));
         assert_eq!([1.0, 2.0].map(|at| named.words(at).unwrap()), ["case dead", "combination uls"]);

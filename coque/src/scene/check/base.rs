@@ -24,7 +24,9 @@ pub(super) fn check_base(scene: &BodyInScene<'_>, base: &MovingBase, duration: f
         && *end < duration
     {
         let value = format!("{last} at its end, the time {end}");
-        let bound = format!("zero there, or beyond the run of {duration}: a table stays as it ends, and the base would go on accelerating");
+        let bound = format!(
+            "zero there, or beyond the run of {duration}: a table stays as it ends, and the base would go on accelerating"
+        );
         let repair = "add a point with the factor 0 behind the last, or shorten the run";
         return Err(s.value(&format!("{course}.table"), value, &bound, repair));
     }

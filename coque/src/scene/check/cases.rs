@@ -65,7 +65,8 @@ fn check_loads(scene: &Scene, s: &Scope<'_>) -> Verdict {
         check_name(s, &at("case"), case)?;
         if load.encloses() {
             let word = if load.gas.is_some() { "gas" } else { "volume" };
-            let bound = "none beside load cases: what is enclosed is a stiffness, which all cases would share";
+            let bound =
+                "none beside load cases: what is enclosed is a stiffness, which all cases would share";
             let repair = "put a `pressure` in its place, or run the scene once for each case, without `case`";
             return refuse(s, &at(word), &format!("a `{word}`"), bound, repair);
         }
@@ -118,7 +119,12 @@ fn check_combinations(scene: &Scene, s: &Scope<'_>, cases: &[&str]) -> Verdict {
     if cases.len() + combinations.len() > MOST {
         let bound = format!("at most {MOST} of cases and combinations together");
         let value = cases.len() + combinations.len();
-        return Err(s.value("analysis.linear.combinations", value, &bound, "take fewer combinations at a time"));
+        return Err(s.value(
+            "analysis.linear.combinations",
+            value,
+            &bound,
+            "take fewer combinations at a time",
+        ));
     }
     let mut taken: BTreeSet<&str> = cases.iter().copied().collect();
     for (i, own) in combinations.iter().enumerate() {

@@ -19,8 +19,14 @@ pub(super) fn read(text: &str) -> Result<Vec<[f64; 2]>, Misread> {
         return Err(Misread::new("file", format!("`{}`", heading(2)), bound, repair));
     }
     let Some((count, step)) = counted(heading(3)) else {
-        let bound = "a fourth line with NPTS, how many numbers, and DT, how many seconds apart, as PEER writes it";
-        return Err(Misread::new("file", format!("`{}`", heading(3)), bound, "see whether the heading is whole"));
+        let bound =
+            "a fourth line with NPTS, how many numbers, and DT, how many seconds apart, as PEER writes it";
+        return Err(Misread::new(
+            "file",
+            format!("`{}`", heading(3)),
+            bound,
+            "see whether the heading is whole",
+        ));
     };
     let mut points = Vec::new();
     for (i, line) in lines.iter().enumerate().skip(4) {
@@ -62,7 +68,9 @@ mod tests {
 
     #[test]
     fn either_heading_is_read() {
-        for fourth in ["NPTS=      3, DT=   .0050 SEC", "    3    0.0050    NPTS, DT", "DT= 5.0E-3 SEC, NPTS= 3"] {
+        for fourth in
+            ["NPTS=      3, DT=   .0050 SEC", "    3    0.0050    NPTS, DT", "DT= 5.0E-3 SEC, NPTS= 3"]
+        {
             let text = format!("{HEADING}{fourth}\n  .1000000E-01  -.2000000E-01\n 0.5\n");
             let points = read(&text).ok();
             assert_eq!(points, Some(vec![[0.0, 0.01], [0.005, -0.02], [0.01, 0.5]]), "{fourth}");
@@ -71,7 +79,8 @@ mod tests {
 
     #[test]
     fn what_is_no_acceleration_in_g_or_not_whole_is_refused() {
-        let said = |text: &str| read(text).err().map(|error| format!("{}; {}", error.value, error.bound)).unwrap();
+        let said =
+            |text: &str| read(text).err().map(|error| format!("{}; {}", error.value, error.bound)).unwrap();
         assert!(said("a\nb\nVELOCITY TIME SERIES IN UNITS OF CM/S\nNPTS= 1, DT= 1").starts_with("`VELOCITY"));
         assert!(said(&format!("{HEADING}3 numbers\n1 2 3")).starts_with("`3 numbers`"));
         assert_eq!(said(&format!("{HEADING}NPTS= 4, DT= .1\n1 2 3")), "3 numbers; NPTS = 4 of them");

@@ -32,13 +32,19 @@ pub(super) fn read(text: &str, columns: Option<&[ColumnOfFile; 2]>) -> Result<Ve
         };
         let point = [cell(at[0])?, cell(at[1])?];
         if let Some([before, _]) = points.last().filter(|[before, _]| point[0] <= *before) {
-            let (value, bound) = (format!("time {} in line {line}", point[0]), format!("after the time {before} before it"));
+            let (value, bound) =
+                (format!("time {} in line {line}", point[0]), format!("after the time {before} before it"));
             return Err(Misread::new("file", value, bound, "sort the file by time, or name other `columns`"));
         }
         points.push(point);
     }
     if points.is_empty() {
-        return Err(Misread::new("file", "no number", "a line of numbers below the names of the columns", "name another file"));
+        return Err(Misread::new(
+            "file",
+            "no number",
+            "a line of numbers below the names of the columns",
+            "name another file",
+        ));
     }
     Ok(points)
 }
@@ -69,10 +75,17 @@ fn found(column: &ColumnOfFile, titles: &[&str], titled: bool) -> Result<usize, 
             let same = |title: &&str| *title == name || plain(title) == *name;
             titles.iter().position(|title| titled && same(&title)).ok_or_else(|| {
                 let bound = match titled {
-                    true => format!("one of {}", titles.iter().map(|t| plain(t)).collect::<Vec<_>>().join(", ")),
+                    true => {
+                        format!("one of {}", titles.iter().map(|t| plain(t)).collect::<Vec<_>>().join(", "))
+                    }
                     false => "a number from 1: the file names no columns".into(),
                 };
-                Misread::new("columns", format!("\"{name}\""), bound, "name a column of the file, or give its number")
+                Misread::new(
+                    "columns",
+                    format!("\"{name}\""),
+                    bound,
+                    "name a column of the file, or give its number",
+                )
             })
         }
     }
@@ -90,7 +103,10 @@ mod tests {
     fn columns_by_number_and_by_name_whatever_stands_between() {
         let wanted = vec![[0.0, 1.0], [0.5, -2.0]];
         assert_eq!(read("0 1\n0.5 -2\n", None).ok(), Some(wanted.clone()));
-        assert_eq!(read("# quake\nt; x; a\n0; 9; 1\n\n0.5; 9; -2 # last", Some(&[named("t"), named("a")])).ok(), Some(wanted.clone()));
+        assert_eq!(
+            read("# quake\nt; x; a\n0; 9; 1\n\n0.5; 9; -2 # last", Some(&[named("t"), named("a")])).ok(),
+            Some(wanted.clone())
+        );
         let curve = "time [s],a [m/s²]\n0.0,1.0\n0.5,-2.0\n";
         assert_eq!(read(curve, Some(&[named("time"), ColumnOfFile::Number(2)])).ok(), Some(wanted));
     }
@@ -103,7 +119,10 @@ mod tests {
         assert_eq!(said("0 1\n1 x\n", None).unwrap(), "file: `x`; a number in column 2 of line 2");
         assert_eq!(said("0 1\n1\n", None).unwrap(), "file: nothing; a number in column 2 of line 2");
         assert_eq!(said("0 1\n0 2\n", None).unwrap(), "file: time 0 in line 2; after the time 0 before it");
-        assert_eq!(said("t,a\n0,1\n", Some(&[named("t"), named("b")])).unwrap(), "columns: \"b\"; one of t, a");
+        assert_eq!(
+            said("t,a\n0,1\n", Some(&[named("t"), named("b")])).unwrap(),
+            "columns: \"b\"; one of t, a"
+        );
         assert_eq!(said("\n# none\n", None).unwrap(), "file: nothing; a file with numbers");
     }
 }

@@ -96,7 +96,8 @@ pub(super) fn read(document: &DeTable<'_>, source: &Source) -> Result<Tables, Sc
     let mut tables = Tables::new();
     let units = units(document);
     walk("", document, &mut |path, at, table| {
-        let record = Record::deserialize(toml::de::Deserializer::from(Spanned::new(at.clone(), table.clone())));
+        let record =
+            Record::deserialize(toml::de::Deserializer::from(Spanned::new(at.clone(), table.clone())));
         let record = record.map_err(|error| source.refusal(&error))?;
         let text = text_of(document, &record.file, path, source)?;
         let points = points(&record, &text, path, source, units.as_ref())?;
@@ -129,7 +130,8 @@ fn put_in<'i>(path: &str, value: &mut Spanned<DeValue<'i>>, tables: &'i Tables, 
             }
         }
         DeValue::Table(table) => {
-            let found = table.get(RECORD).and_then(|record| Some((record.span(), tables.get(&record.span().start)?)));
+            let found =
+                table.get(RECORD).and_then(|record| Some((record.span(), tables.get(&record.span().start)?)));
             if let (true, Some((span, text))) = (is_amplitude(path), found)
                 && let Ok(list) = DeValue::parse(text)
             {
@@ -150,7 +152,10 @@ fn put_in<'i>(path: &str, value: &mut Spanned<DeValue<'i>>, tables: &'i Tables, 
 ///
 /// # Errors
 /// [`SceneError`] for files that cannot be read.
-pub(super) fn files_of(document: &DeTable<'_>, source: &Source) -> Result<BTreeMap<String, String>, SceneError> {
+pub(super) fn files_of(
+    document: &DeTable<'_>,
+    source: &Source,
+) -> Result<BTreeMap<String, String>, SceneError> {
     let mut found = BTreeMap::new();
     walk("", document, &mut |path, _, table| {
         let Some(DeValue::String(file)) = table.get("file").map(Spanned::get_ref) else { return Ok(()) };
@@ -260,7 +265,12 @@ fn text_of<'d>(
     read_text(&place).map(Cow::Owned).map_err(|error| {
         let bound = format!("a file that can be read: {error}");
         let repair = "name a record by its path from the folder of the scene, or hold its text in [files]";
-        SceneError::Choice(source.fault(&format!("{path}.file"), &place.display().to_string(), &bound, repair))
+        SceneError::Choice(source.fault(
+            &format!("{path}.file"),
+            &place.display().to_string(),
+            &bound,
+            repair,
+        ))
     })
 }
 
@@ -274,7 +284,12 @@ struct Misread {
 }
 
 impl Misread {
-    fn new(key: &'static str, value: impl Into<String>, bound: impl Into<String>, repair: impl Into<String>) -> Self {
+    fn new(
+        key: &'static str,
+        value: impl Into<String>,
+        bound: impl Into<String>,
+        repair: impl Into<String>,
+    ) -> Self {
         Self { value: value.into(), bound: bound.into(), repair: repair.into(), key }
     }
 }
@@ -304,7 +319,12 @@ fn points(
     .map_err(refuse)?;
     if points.len() > MOST_POINTS {
         let bound = format!("at most {MOST_POINTS} points");
-        return Err(refuse(Misread::new("file", format!("{} points", points.len()), bound, "take every second one")));
+        return Err(refuse(Misread::new(
+            "file",
+            format!("{} points", points.len()),
+            bound,
+            "take every second one",
+        )));
     }
     let named = record.units.clone().or(read);
     let factors = match &named {
