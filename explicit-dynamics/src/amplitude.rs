@@ -62,10 +62,8 @@ impl Amplitude {
                 let (mut from, mut sums) = (0.0, [0.0; 2]);
                 let mut go_to = |to: f64| {
                     let (h, a0, a1) = (to - from, table(points, from), table(points, to));
-                    sums = [
-                        sums[0] + 0.5 * h * (a0 + a1),
-                        sums[1] + h * (sums[0] + h * (2.0 * a0 + a1) / 6.0),
-                    ];
+                    sums =
+                        [sums[0] + 0.5 * h * (a0 + a1), sums[1] + h * (sums[0] + h * (2.0 * a0 + a1) / 6.0)];
                     from = to;
                 };
                 points.iter().map(|point| point[0]).filter(|&at| 0.0 < at && at < t).for_each(&mut go_to);
@@ -130,7 +128,10 @@ mod tests {
                 v += h * (a + 4.0 * m + b) / 6.0;
             }
             let [exact_v, exact_u] = amplitude.integrals(2.0);
-            assert!((v - exact_v).abs() < 1e-10 && (u - exact_u).abs() < 1e-10, "{amplitude:?}: {v} {exact_v}, {u} {exact_u}");
+            assert!(
+                (v - exact_v).abs() < 1e-10 && (u - exact_u).abs() < 1e-10,
+                "{amplitude:?}: {v} {exact_v}, {u} {exact_u}"
+            );
         }
     }
 

@@ -40,6 +40,8 @@ supports = [
     {{ on = "all", held = {{ displacement = [[0, 1, 0], [0, 0, 1]], director = [[1, 0, 0]] }} }},
     {{ on = "all", spring = {{ direction = [1, 0, 0], stiffness = {stiffness:?} }} }},
 ]
+[analysis.explicit]
+safety = 2e-3
 [analysis.explicit.transient]
 duration = 1.0
 record_every = 0.01
@@ -105,7 +107,7 @@ fn recurrence(omega: f64, c: f64, every: f64, count: usize) -> Vec<[f64; 2]> {
 const SI: &str = "{ length = \"m\", force = \"N\", time = \"s\" }";
 const AT2: &str = "{ record = { file = \"a.at2\" } }";
 
-/// The march makes some 1500 steps a period, which leaves (ωΔt)²/24 = 7e-7 of its period.
+/// A march that makes some 1500 steps a period: what they leave of the kinks of the record, a twelfth of (Δt/.04 s)², is 1e-5.
 #[test]
 fn one_degree_of_freedom_follows_the_exact_recurrence() {
     let exact = recurrence(TAU * 1.5, 1.2, 0.01, 100);
@@ -115,7 +117,7 @@ fn one_degree_of_freedom_follows_the_exact_recurrence() {
     let off = found.iter().zip(&exact).map(|(u, [x, _])| (u - x).abs()).fold(0.0, f64::max);
     assert_eq!(found.len(), exact.len());
     assert!(size > 0.01 && off < 3e-5 * size, "{} of {size}", off / size);
-    // In space the plate has moved by what the base did beside it.
+    // In space the plate has moved by what the base did beside it; velocities are those of half a step before, 2e-4 s at 5 m/s² at most.
     let space = oscillator(SI, [1.0, 1.0], AT2, "absolute");
     let points = RECORD.iter().enumerate().map(|(i, x)| [STEP * i as f64, G * x]).collect();
     let base = coque::scene::Amplitude::Table(points);
@@ -123,7 +125,7 @@ fn one_degree_of_freedom_follows_the_exact_recurrence() {
     for (((u, v), t), [x, rate]) in both.zip(&exact) {
         let [base_v, base_u] = base.integrals(t);
         assert!((u - x - base_u).abs() < 3e-5 * size, "{t}: {u}");
-        assert!((v - rate - base_v).abs() < 3e-4 * TAU * 1.5 * size, "{t}: {v} {}", rate + base_v);
+        assert!((v - rate - base_v).abs() < 3e-3, "{t}: {v} {}", rate + base_v);
     }
 }
 
@@ -152,7 +154,7 @@ fn what_nothing_holds_stays_in_space() {
     let solid = "bodies.block.solid.geometry.block = { lengths = [0.4, 0.2, 0.2], spacing = 0.1 }
         bodies.block.solid.material.elastic = { young = 7e7, poisson = 0.25, density = 2700.0 }
         bodies.block.solid.formulation.state-based = { horizon = 1.5 }";
-    let rigid = "bodies.box.rigid.geometry.box = { lengths = [0.4, 0.3, 0.2], spacing = 0.1 }
+    let rigid = "bodies.box.rigid.geometry.box = { min = [0, 0, 0], max = [0.4, 0.3, 0.2], spacing = 0.1 }
         bodies.box.rigid.density = 2700.0";
     for body in [shell, solid, rigid] {
         let scene = format!(
@@ -168,8 +170,8 @@ fn what_nothing_holds_stays_in_space() {
         );
         let outcome = ran(Scene::parse(&scene, "free.toml"));
         assert_eq!(outcome.ended, Ended::Done, "{}", outcome.summary.ended);
-        // The base goes by some 3e-3 m at .1 m/s.
-        for (name, bound) in [("u", 1e-5), ("v", 1e-4), ("far", 1e-5)] {
+        // The base goes by some 3e-3 m at .1 m/s; velocities of solids are those of half a step before, which the base gains in that time.
+        for (name, bound) in [("u", 1e-5), ("v", 5e-4), ("far", 1e-5)] {
             let most = column(&outcome, name).iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             assert!(most < bound, "{body}: {name} {most}");
         }

@@ -137,6 +137,7 @@ fn a_combination_is_a_run_under_loads_times_their_factors() {
     }
 }
 
+/// Iterations end at 1e-9 in the energy norm; a reaction, stiffnesses times ways, keeps 2e-7.
 #[test]
 fn by_conjugate_gradients_they_are_the_same() {
     let slab = text(SLAB);
@@ -145,7 +146,7 @@ fn by_conjugate_gradients_they_are_the_same() {
     for (name, row) in rows(&iterated) {
         let own = &direct[&name];
         // Without the count of pivots.
-        assert!(off(&[&own[..2], &own[4..]].concat(), &[&row[..2], &row[3..]].concat()) < 1e-7, "{name}");
+        assert!(off(&[&own[..2], &own[4..]].concat(), &[&row[..2], &row[3..]].concat()) < 1e-6, "{name}");
     }
 }
 
@@ -269,6 +270,7 @@ fn what_does_not_superpose_is_refused() {
                 "supports = [\n{ on = \"u1v0\", moved = { direction = [0, 0, 2], by = 1.0 }, case = \"sunk\" },",
             ),
             ("errors", "title = \"Plate\"", "title = \"Plate\"\nerror = {}"),
+            ("figures over no time", "title = \"Plate\"", "title = \"Plate\"\noutput.over_time = true"),
             ("a column called case", "name = \"w\"", "name = \"case\""),
         ],
     );

@@ -128,11 +128,6 @@ fn what_is_no_record_is_refused() {
                 "record_every = 0.005 }",
                 "record_every = 0.005, base = { acceleration = [1, 0, 0], amplitude = { record = { file = \"push.csv\", units = [\"ms\", \"-\"] } } } }",
             ),
-            (
-                "figures over no time",
-                "analysis.explicit.transient = { duration = 0.02, record_every = 0.005 }",
-                "analysis.linear = {}\noutput.over_time = true\n#",
-            ),
         ],
     );
     insta::assert_snapshot!(said);

@@ -106,7 +106,7 @@ fn check_supports(scene: &Scene, s: &Scope<'_>) -> Verdict {
         };
         if scene.supports[..i].iter().filter(twice).any(|other| parallel(&other)) {
             let word = one.motion().map_or("moved", |(word, _)| word);
-            let bound = "moved in one case alone: in each case the motions of the others hold";
+            let bound = "one alone: in each case the motions of the others hold the set";
             let repair = "give the set one motion in a case of its own, and let combinations take it times their factors";
             return refuse(s, &format!("supports[{i}].{word}"), "a second motion of the set", bound, repair);
         }

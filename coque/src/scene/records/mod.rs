@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use mesh_io::read_text;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -61,13 +61,26 @@ pub struct Record {
 }
 
 /// A column of a file.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(untagged)]
 pub enum ColumnOfFile {
     /// Its number, from 1.
     Number(usize),
     /// Its name, with or without a unit in brackets behind it.
     Name(String),
+}
+
+impl JsonSchema for ColumnOfFile {
+    fn schema_name() -> Cow<'static, str> {
+        "ColumnOfFile".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "A column of a file: its name, with or without a unit in brackets behind it, or its number from 1.",
+            "type": ["string", "integer"]
+        })
+    }
 }
 
 /// What is taken off an acceleration.
@@ -327,15 +340,13 @@ fn points(
         )));
     }
     let named = record.units.clone().or(read);
-    let factors = match &named {
-        None => [1.0; 2],
-        Some([time, number]) => {
-            [converted(time, own).map_err(refuse)?, converted(number, own).map_err(refuse)?]
+    if let Some([time, number]) = &named {
+        for [t, x] in &mut points {
+            *t = converted(*t, time, own).map_err(refuse)?;
+            *x = converted(*x, number, own).map_err(refuse)?;
         }
-    };
-    for [t, x] in &mut points {
-        (*t, *x) = (*t * factors[0], *x * factors[1] * record.factor);
     }
+    points.iter_mut().for_each(|[_, x]| *x *= record.factor);
     if record.baseline == Baseline::Linear {
         baseline::straighten(&mut points);
     }
@@ -349,18 +360,21 @@ fn points(
     Ok(points)
 }
 
-/// What a unit is in the units of the scene.
-fn converted(unit: &str, own: Option<&Units>) -> Result<f64, Misread> {
+/// A number in a unit, in the units of the scene, to the last bit.
+fn converted(number: f64, unit: &str, own: Option<&Units>) -> Result<f64, Misread> {
     if unit == "-" {
-        return Ok(1.0);
+        return Ok(number);
     }
     let Some(own) = own.filter(|units| units.consistent() && units.length != Length::None) else {
         let bound = "\"-\": the scene has no units";
         let repair = "add units = [\"-\", \"-\"] to the record, whose numbers then count as they are";
         return Err(Misread::new("units", format!("\"{unit}\""), bound, repair));
     };
-    let (number, unit_of) = if unit == "g" { (STANDARD, GRAVITY) } else { (1.0, unit) };
-    amount::in_units_of(number, unit_of, own).map(|(number, _)| number).ok_or_else(|| {
+    let found = match unit {
+        "g" => amount::in_units_of(STANDARD * number, GRAVITY, own),
+        _ => amount::in_units_of(number, unit, own),
+    };
+    found.map(|(number, _)| number).ok_or_else(|| {
         let bound = "a unit that is known, \"g\" for the acceleration of gravity, or \"-\"";
         let repair = "write a unit such as \"s\", \"m/s^2\", \"cm/s^2\", \"kN\"";
         Misread::new("units", format!("\"{unit}\""), bound, repair)
