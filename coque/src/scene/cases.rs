@@ -2,27 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::analysis::Analysis;
 use super::checked::Checked;
+use super::combination::Combination;
 use super::loads::Load;
 use super::problem::Scene;
 use super::supports::Support;
 
 /// The column of the curve that has the number of a case or combination, from 1.
 pub(crate) const CASE: &str = "case";
-
-/// Load cases that act at once, each times a factor.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Combination {
-    /// Its name, other than that of any case.
-    pub name: String,
-    /// Factor of each case, by its name; cases that are not named do not act \[–\].
-    pub of: BTreeMap<String, f64>,
-}
 
 /// A load case, or a combination of them: what an answer is to.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 
 use super::loads::Load;
 use super::problem::Scene;
-use super::records::Record;
+use super::record::Record;
 use super::shell::ShellScene;
 use super::supports::Support;
 

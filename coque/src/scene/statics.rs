@@ -4,7 +4,7 @@ pub use implicit_statics::{Branches, Damping as RelaxationDamping, Prebuckling, 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::cases::Combination;
+use super::combination::Combination;
 use super::levels::Levels;
 use crate::scene::bounded::{
     GradientIterations, Iterations, Modes, NotNegative, Positive, RelaxationIterations, RelaxedResidual,

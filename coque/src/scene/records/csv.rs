@@ -1,6 +1,7 @@
 //! Two columns of a text of numbers, by name or number.
 
-use super::{ColumnOfFile, Misread};
+use super::Misread;
+use crate::scene::record::ColumnOfFile;
 
 /// Reads times and numbers; a first line that is no numbers names the columns.
 ///
