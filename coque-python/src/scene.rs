@@ -40,7 +40,8 @@ impl Scene {
         let scene =
             py.detach(|| brought.into_scene(coque::Scene::with_overrides(&text, &origin, &replaced)?));
         let scene = scene.map_err(|error| refused(py, &error))?;
-        let text = coque::Scene::whole_text(&text, &origin).map_err(|error| refused(py, &error))?;
+        let text =
+            coque::Scene::whole_text(&text, &origin, &replaced).map_err(|error| refused(py, &error))?;
         Ok(Self { scene, text, origin, replaced })
     }
 

@@ -52,6 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         duration: Positive::new(500.0)?,
         record_every: Positive::new(100.0)?,
         damping: NotNegative::new(0.2)?,
+        base: None,
     };
     let damping = RelaxationDamping::Kinetic;
     let exact = BEADS as f64;

@@ -202,11 +202,13 @@ pub use results::picture::{
     FieldNotThere, Picture, PictureExtent, picture_extent, picture_svg, strip, together, usual_field,
 };
 pub use results::plot::{PlotError, plot_svg};
+pub use run::cases_summary::{CaseSummary, CasesSummary, Envelope};
 pub use run::checkpoint::{
     CHECKPOINT, CHECKPOINT_ROWS, Checkpoint, CheckpointError, Checkpoints, Origin, SCENE_COPY,
 };
 pub use run::folder::ResultFolder;
 pub use run::outcome::{Ended, Failure, Outcome};
+pub use run::over_time::OverTime;
 pub use run::progress::{Progress, ProgressReport, Silent};
 pub use run::record::{BalanceSummary, CountSummary, CriticalSummary, Energies, LevelSummary, RunRecord};
 pub use run::summary::Summary;

@@ -36,6 +36,44 @@ impl Amplitude {
     }
 }
 
+impl Amplitude {
+    /// Its integral from zero to a time, and the integral of that: `[∫a dt, ∬a dt²]` \[T, T²\], exact but for rounding.
+    pub fn integrals(&self, time: f64) -> [f64; 2] {
+        let t = time;
+        match self {
+            Self::Constant => [t, 0.5 * t * t],
+            Self::Ramp(duration) => {
+                let (up, after) = (t.min(*duration), (t - duration).max(0.0));
+                let [v, u] = [0.5 * up * up / duration, up * up * up / (6.0 * duration)];
+                [v + after, u + after * (v + 0.5 * after)]
+            }
+            Self::Smooth(duration) => {
+                let (s, after) = ((t / duration).min(1.0), (t - duration).max(0.0));
+                let v = duration * s * s * s * s * (2.5 + s * (s - 3.0));
+                let u = duration * duration * s * s * s * s * s * (0.5 + s * (s / 7.0 - 0.5));
+                [v + after, u + after * (v + 0.5 * after)]
+            }
+            Self::Sine { period } => {
+                let omega = std::f64::consts::TAU / period;
+                let half = libm::sin(0.5 * omega * t);
+                [2.0 * half * half / omega, (t - libm::sin(omega * t) / omega) / omega]
+            }
+            Self::Table(points) => {
+                let (mut from, mut sums) = (0.0, [0.0; 2]);
+                let mut go_to = |to: f64| {
+                    let (h, a0, a1) = (to - from, table(points, from), table(points, to));
+                    sums =
+                        [sums[0] + 0.5 * h * (a0 + a1), sums[1] + h * (sums[0] + h * (2.0 * a0 + a1) / 6.0)];
+                    from = to;
+                };
+                points.iter().map(|point| point[0]).filter(|&at| 0.0 < at && at < t).for_each(&mut go_to);
+                go_to(t);
+                sums
+            }
+        }
+    }
+}
+
 /// The quintic `s³(10 − 15s + 6s²)` on \[0, 1\].
 pub(crate) fn smooth(s: f64) -> f64 {
     let s = s.clamp(0.0, 1.0);
@@ -66,6 +104,35 @@ mod tests {
         }
         let table = Amplitude::Table(vec![[1.0, 2.0], [3.0, 6.0]]);
         assert_eq!([0.0, 1.0, 2.0, 3.0, 9.0].map(|t| table.value(t)), [2.0, 2.0, 4.0, 6.0, 6.0]);
+    }
+
+    /// Simpson's rule over steps so small that what it leaves, h⁴, is below rounding of the sums.
+    #[test]
+    fn integrals_are_those_of_small_steps() {
+        let table = vec![[0.3, 1.0], [0.5, -2.0], [0.9, 0.7], [1.4, 0.0]];
+        let all = [
+            Amplitude::Constant,
+            Amplitude::Ramp(0.75),
+            Amplitude::Smooth(0.75),
+            Amplitude::Sine { period: 0.6 },
+            Amplitude::Table(table),
+        ];
+        for amplitude in all {
+            let (mut v, mut u) = (0.0, 0.0);
+            let h = 1e-3;
+            for i in 0..2000 {
+                let t = f64::from(i) * h;
+                let [a, m, b] = [t, t + 0.5 * h, t + h].map(|t| amplitude.value(t));
+                // ∫₀ʰ (h − s) a(t + s) ds by the same points.
+                u += h * v + h * h * (a + 2.0 * m) / 6.0;
+                v += h * (a + 4.0 * m + b) / 6.0;
+            }
+            let [exact_v, exact_u] = amplitude.integrals(2.0);
+            assert!(
+                (v - exact_v).abs() < 1e-10 && (u - exact_u).abs() < 1e-10,
+                "{amplitude:?}: {v} {exact_v}, {u} {exact_u}"
+            );
+        }
     }
 
     #[test]

@@ -178,6 +178,32 @@ impl Newton {
         self.answer_by_factor(system, level)
     }
 
+    /// Factorises the tangent of a state for answers to several loads: [`Newton::response_of`].
+    ///
+    /// # Errors
+    /// [`EquilibriumError`] where the tangent is singular.
+    pub fn factorise<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+    ) -> Result<Inertia, EquilibriumError> {
+        self.tangent(system, level)
+    }
+
+    /// `K⁻¹ p` by the factor at hand, p the load rate of a system that has the same tangent and unknowns under other loads.
+    ///
+    /// # Errors
+    /// [`EquilibriumError`] where the tangent is singular.
+    pub fn response_of<E: Equilibrium + ?Sized>(
+        &mut self,
+        other: &mut E,
+        level: f64,
+    ) -> Result<Vec<f64>, EquilibriumError> {
+        let response = self.answer_by_factor(other, level);
+        self.answer = None;
+        response
+    }
+
     /// The same by the factor at hand.
     fn answer_by_factor<E: Equilibrium + ?Sized>(
         &mut self,

@@ -21,7 +21,7 @@ pub struct FieldError {
     pub reason: String,
 }
 
-/// Frames of one kind in a folder: `NAME-0000.vtu` …, and `NAME.pvd`, which lists them.
+/// Frames of one kind in a folder: `NAME-0000.vtu` …, or with a word to each, and `NAME.pvd`, which lists them.
 ///
 /// Each file is written under another name and renamed, the list of frames after each frame: a run that is killed
 /// leaves whole files, and lists that name only those.
@@ -48,7 +48,21 @@ impl Series {
         along: f64,
         write: impl FnOnce(&mut dyn FieldWriter) -> io::Result<()>,
     ) -> Result<(), FieldError> {
-        let name = format!("{}-{:04}.vtu", self.name, self.frames.len());
+        self.add_named(along, None, write)
+    }
+
+    /// The same with a word of its own behind the number in the name of the file, `NAME-0000-word.vtu`: a plain one, that a file may be named by.
+    ///
+    /// # Errors
+    /// As [`Series::add`].
+    pub fn add_named(
+        &mut self,
+        along: f64,
+        word: Option<&str>,
+        write: impl FnOnce(&mut dyn FieldWriter) -> io::Result<()>,
+    ) -> Result<(), FieldError> {
+        let word = word.map_or_else(String::new, |word| format!("-{word}"));
+        let name = format!("{}-{:04}{word}.vtu", self.name, self.frames.len());
         let path = self.folder.join(&name);
         let written = write_whole(&path, |file| {
             let mut file = Vtu::begin(file)?;
@@ -128,6 +142,7 @@ impl Series {
         let name = name.strip_suffix(".part").unwrap_or(name);
         let number = name.strip_prefix(&self.name).and_then(|rest| rest.strip_prefix('-'));
         let number = number.and_then(|rest| rest.strip_suffix(".vtu"));
+        let number = number.map(|rest| rest.split_once('-').map_or(rest, |(number, _)| number));
         number.is_some_and(|number| number.len() >= 4 && number.bytes().all(|c| c.is_ascii_digit()))
     }
 }

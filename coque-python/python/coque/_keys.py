@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     Amplitude_4 = TypedDict("Amplitude_4", {"table": Sequence[Sequence[Union[float, str]]]})
     Amplitude_5_sine = TypedDict("Amplitude_5_sine", {"period": Union[float, str]})
     Amplitude_5 = TypedDict("Amplitude_5", {"sine": "Amplitude_5_sine"})
-    Amplitude: TypeAlias = Union[Literal['constant'], "Amplitude_2", "Amplitude_3", "Amplitude_4", "Amplitude_5"]
+    Amplitude_6 = TypedDict("Amplitude_6", {"record": "Record"})
+    Amplitude: TypeAlias = Union[Literal['constant'], "Amplitude_2", "Amplitude_3", "Amplitude_4", "Amplitude_5", "Amplitude_6"]
     Analysis_1 = TypedDict("Analysis_1", {"explicit": "Explicit"})
     Analysis_2 = TypedDict("Analysis_2", {"linear": "Linear2"})
     Analysis_3 = TypedDict("Analysis_3", {"static": "Static"})
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     BackStress = TypedDict("BackStress", {"modulus": Union[float, str], "recovery": Union[float, str]})
     Ball = TypedDict("Ball", {"centre": Sequence[Union[float, str]], "radius": Union[float, str]})
     BaseResponse: TypeAlias = Union[Literal['relative'], Literal['absolute']]
+    Baseline: TypeAlias = Union[Literal['none'], Literal['linear']]
     Basin = TypedDict("Basin", {"max": Sequence[Union[float, str]], "min": Sequence[Union[float, str]], "open": NotRequired[Sequence[str]]})
     Block = TypedDict("Block", {"disorder": NotRequired["NodeDisorder"], "grading": NotRequired[Sequence[Union[float, str]]], "lengths": Sequence[Union[float, str]], "nodes": NotRequired["NodePlaces"], "origin": NotRequired[Sequence[Union[float, str]]], "spacing": "PerAxis", "thickness": NotRequired[Union[float, str]]})
     BodyScene_1 = TypedDict("BodyScene_1", {"shell": "ShellScene"})
@@ -46,6 +48,8 @@ if TYPE_CHECKING:
     Branches: TypeAlias = Union[Literal['primary'], Literal['stable'], Literal['stable-reversed']]
     Buckling = TypedDict("Buckling", {"modes": Union[int, str], "prebuckling": NotRequired["Prebuckling"], "sign": NotRequired["Sign"]})
     Coat = TypedDict("Coat", {"thickness": Union[float, str], "young": Union[float, str]})
+    ColumnOfFile: TypeAlias = Union[str, int]
+    Combination = TypedDict("Combination", {"name": str, "of": Mapping[str, Union[float, str]]})
     Contact = TypedDict("Contact", {"distance": NotRequired[Union[float, str]], "walls": NotRequired[Sequence["Wall"]]})
     ContactScene = TypedDict("ContactScene", {"between": NotRequired[Sequence[str]], "friction": NotRequired[Union[float, str]], "rounding": NotRequired[Union[float, str]], "stiffness": NotRequired[Union[float, str]]})
     Correction: TypeAlias = Union[Literal['none'], Literal['even'], Literal['balanced'], Literal['energy-factor']]
@@ -139,10 +143,10 @@ if TYPE_CHECKING:
     Levels: TypeAlias = Union[Union[int, str], Sequence[Union[float, str]]]
     LineSide: TypeAlias = Union[Literal['left'], Literal['right']]
     Linear = TypedDict("Linear", {"slope": NotRequired[Union[float, str]], "yield-stress": Union[float, str]})
-    Linear2 = TypedDict("Linear2", {"iterations": NotRequired[Union[int, str]], "solver": NotRequired["LinearSolver"]})
+    Linear2 = TypedDict("Linear2", {"combinations": NotRequired[Sequence["Combination"]], "iterations": NotRequired[Union[int, str]], "solver": NotRequired["LinearSolver"]})
     LinearSolver: TypeAlias = Union[Literal['direct'], Literal['conjugate-gradients']]
     Liquid = TypedDict("Liquid", {"density": Union[float, str], "kinematic_viscosity": NotRequired[Union[float, str]], "sound_speed": Union[float, str]})
-    Load = TypedDict("Load", {"amplitude": NotRequired["Amplitude"], "couple": NotRequired["Couple"], "force": NotRequired["Force2"], "gas": NotRequired["Gas"], "gravity": NotRequired["Gravity"], "on": Union[str, Sequence[str]], "preload": NotRequired[bool], "pressure": NotRequired["Pressure"], "temperature": NotRequired["Temperature"], "traction": NotRequired["Traction"], "volume": NotRequired["Volume"]})
+    Load = TypedDict("Load", {"amplitude": NotRequired["Amplitude"], "case": NotRequired[str], "couple": NotRequired["Couple"], "force": NotRequired["Force2"], "gas": NotRequired["Gas"], "gravity": NotRequired["Gravity"], "on": Union[str, Sequence[str]], "preload": NotRequired[bool], "pressure": NotRequired["Pressure"], "temperature": NotRequired["Temperature"], "traction": NotRequired["Traction"], "volume": NotRequired["Volume"]})
     LumpedMass = TypedDict("LumpedMass", {"mass": Union[float, str], "on": str})
     Material_1 = TypedDict("Material_1", {"elastic": "Elastic"})
     Material_2 = TypedDict("Material_2", {"orthotropic": "Orthotropic"})
@@ -156,6 +160,7 @@ if TYPE_CHECKING:
     Modal = TypedDict("Modal", {"modes": Union[int, str]})
     MooneyRivlin = TypedDict("MooneyRivlin", {"c1": Union[float, str], "c2": Union[float, str]})
     Moved = TypedDict("Moved", {"by": Union[float, str], "direction": Sequence[Union[float, str]]})
+    MovingBase = TypedDict("MovingBase", {"acceleration": Sequence[Union[float, str]], "amplitude": "Amplitude", "response": NotRequired["BaseResponse"]})
     Near = TypedDict("Near", {"distance": Union[float, str], "point": Sequence[Union[float, str]]})
     NeoHooke = TypedDict("NeoHooke", {"c1": Union[float, str]})
     Nodal = TypedDict("Nodal", {"consistent": NotRequired[bool], "curvature": NotRequired[Literal['stretch-corrected', 'green-lagrange', 'logarithmic']], "kernel": NotRequired[Literal['cubic-spline', 'wendland-c2', 'wendland-c4', 'quintic-spline']], "order": NotRequired[Union[int, str]], "smoothing": NotRequired[Union[float, str]]})
@@ -167,7 +172,7 @@ if TYPE_CHECKING:
     Orientation = TypedDict("Orientation", {"axis": Sequence[Union[float, str]], "degrees": Union[float, str]})
     Orthotropic = TypedDict("Orthotropic", {"density": Union[float, str], "expansion": NotRequired[Sequence[Union[float, str]]], "poisson": Union[float, str], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]], "strength": NotRequired["FibreStrength"], "young_across": Union[float, str], "young_along": Union[float, str]})
     OrthotropicSolid = TypedDict("OrthotropicSolid", {"axes": NotRequired[Sequence[Sequence[Union[float, str]]]], "density": Union[float, str], "poisson": Sequence[Union[float, str]], "shear": Sequence[Union[float, str]], "young": Sequence[Union[float, str]]})
-    Output = TypedDict("Output", {"checkpoint_every": NotRequired[Union[float, str]], "fields": NotRequired["Fields"], "plot": NotRequired["Plot"]})
+    Output = TypedDict("Output", {"checkpoint_every": NotRequired[Union[float, str]], "fields": NotRequired["Fields"], "over_time": NotRequired[bool], "plot": NotRequired["Plot"]})
     PartFormulation = TypedDict("PartFormulation", {"stress-point": NotRequired["PartStressPoint"]})
     PartStressPoint = TypedDict("PartStressPoint", {"curvature": NotRequired[str]})
     PerAxis: TypeAlias = Union[Union[float, str], Sequence[Union[float, str]]]
@@ -189,6 +194,7 @@ if TYPE_CHECKING:
     Rate: TypeAlias = Union["Rate_1", "Rate_2"]
     RayleighDamping = TypedDict("RayleighDamping", {"mass": NotRequired[Union[float, str]], "stiffness": NotRequired[Union[float, str]]})
     Reach: TypeAlias = Union[Literal['cell'], Union[float, str]]
+    Record = TypedDict("Record", {"baseline": NotRequired["Baseline"], "columns": NotRequired[Sequence["ColumnOfFile"]], "factor": NotRequired[Union[float, str]], "file": str, "units": NotRequired[Sequence[str]]})
     Region = TypedDict("Region", {"box": NotRequired["Box3"], "difference": NotRequired[Sequence[str]], "intersection": NotRequired[Sequence[str]], "layer": NotRequired["Layer"], "near": NotRequired["Near"], "nearest": NotRequired[Sequence[Union[float, str]]], "of": NotRequired[str], "plane": NotRequired["OnPlane"], "union": NotRequired[Sequence[str]]})
     Relaxation = TypedDict("Relaxation", {"damping": NotRequired["RelaxationDamping"], "force": NotRequired[Union[float, str]], "iterations": NotRequired[Union[int, str]], "levels": "Levels", "tolerance": NotRequired[Union[float, str]]})
     RelaxationDamping: TypeAlias = Union[Literal['kinetic'], Literal['rayleigh']]
@@ -239,7 +245,7 @@ if TYPE_CHECKING:
     StressPoint = TypedDict("StressPoint", {"curvature": NotRequired[Literal['stretch-corrected', 'green-lagrange', 'logarithmic']], "kernel": NotRequired[Literal['cubic-spline', 'wendland-c2', 'wendland-c4', 'quintic-spline']], "support": NotRequired["Reach"]})
     Stretches = TypedDict("Stretches", {"compression": NotRequired[Union[float, str]], "tension": Union[float, str]})
     StrongForm = TypedDict("StrongForm", {"curvature": NotRequired[Literal['stretch-corrected', 'green-lagrange', 'logarithmic']], "divergence": NotRequired["Divergence"], "kernel": NotRequired[Literal['cubic-spline', 'wendland-c2', 'wendland-c4', 'quintic-spline']], "smoothing": NotRequired[Union[float, str]], "viscosity": NotRequired[Union[float, str]]})
-    Support = TypedDict("Support", {"amplitude": NotRequired["Amplitude"], "clamped": NotRequired["Fixed"], "diaphragm": NotRequired["Diaphragm"], "held": NotRequired["Held"], "hinged": NotRequired["Fixed"], "moved": NotRequired["Moved"], "on": Union[str, Sequence[str]], "preload": NotRequired[bool], "rotated": NotRequired["Rotated"], "spring": NotRequired["Spring"], "symmetry": NotRequired["Symmetry"], "turned": NotRequired["Turned"]})
+    Support = TypedDict("Support", {"amplitude": NotRequired["Amplitude"], "case": NotRequired[str], "clamped": NotRequired["Fixed"], "diaphragm": NotRequired["Diaphragm"], "held": NotRequired["Held"], "hinged": NotRequired["Fixed"], "moved": NotRequired["Moved"], "on": Union[str, Sequence[str]], "preload": NotRequired[bool], "rotated": NotRequired["Rotated"], "spring": NotRequired["Spring"], "symmetry": NotRequired["Symmetry"], "turned": NotRequired["Turned"]})
     Swift = TypedDict("Swift", {"exponent": Union[float, str], "factor": Union[float, str], "offset": Union[float, str]})
     Symmetry = TypedDict("Symmetry", {"normal": Sequence[Union[float, str]]})
     Take: TypeAlias = Union[Literal['mean'], Literal['sum'], Literal['max'], Literal['min']]
@@ -255,7 +261,7 @@ if TYPE_CHECKING:
     ToolScene = TypedDict("ToolScene", {"amplitude": NotRequired["Amplitude"], "block": NotRequired["ToolBlock"], "capsule": NotRequired["ToolCapsule"], "cylinder": NotRequired["ToolCylinder"], "friction": NotRequired[Union[float, str]], "moved": NotRequired[Sequence[Union[float, str]]], "name": str, "plane": NotRequired["ToolPlane"], "preload": NotRequired[bool], "rounding": NotRequired[Union[float, str]], "sphere": NotRequired["ToolSphere"], "stiffness": NotRequired[Union[float, str]], "turn": NotRequired[Union[float, str]]})
     ToolSphere = TypedDict("ToolSphere", {"centre": Sequence[Union[float, str]], "radius": Union[float, str]})
     Traction = TypedDict("Traction", {"depth": NotRequired[Union[float, str]], "value": Sequence[Union[float, str]]})
-    Transient = TypedDict("Transient", {"damping": NotRequired[Union[float, str]], "duration": Union[float, str], "record_every": Union[float, str]})
+    Transient = TypedDict("Transient", {"base": NotRequired["MovingBase"], "damping": NotRequired[Union[float, str]], "duration": Union[float, str], "record_every": Union[float, str]})
     Turned = TypedDict("Turned", {"axis": Sequence[Union[float, str]], "by": Union[float, str], "point": NotRequired[Sequence[Union[float, str]]]})
     Twisted = TypedDict("Twisted", {"disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[Union[float, str]]], "length": Union[float, str], "particles": NotRequired[Sequence[Union[int, str]]], "scattered": NotRequired["Scattered"], "twist": Union[float, str], "width": Union[float, str]})
     TwoSheets = TypedDict("TwoSheets", {"correction": NotRequired["Correction"], "horizon": NotRequired[Union[float, str]], "influence": NotRequired["Influence"]})
@@ -281,4 +287,4 @@ if TYPE_CHECKING:
     WallsScene = TypedDict("WallsScene", {"geometry": "WallGeometry", "motion": NotRequired["WallMotion"]})
     WeaklyCompressible = TypedDict("WeaklyCompressible", {"confined": NotRequired[bool], "courant": NotRequired[Union[float, str]], "density_diffusion": NotRequired[Union[float, str]], "method": NotRequired["FluidMethod"], "smoothing": NotRequired[Union[float, str]], "start": NotRequired["FluidStart"], "viscosity": NotRequired[Union[float, str]], "walls": NotRequired["WallMethod"], "xsph": NotRequired[Union[float, str]]})
     WetFaces: TypeAlias = Union[Literal['both'], Literal['front'], Literal['back']]
-    SceneKeys = TypedDict("SceneKeys", {"analysis": NotRequired["Analysis"], "bodies": NotRequired[Mapping[str, "BodyScene"]], "contact": NotRequired[Sequence["ContactScene"]], "coupling": NotRequired["Coupling"], "curve": NotRequired[Sequence["Probe"]], "error": NotRequired["ErrorBars"], "formulation": NotRequired["Formulation"], "geometry": NotRequired["Geometry"], "glue": NotRequired[Sequence["GlueScene"]], "imperfection": NotRequired["Imperfection"], "include": NotRequired[Sequence[str]], "initial_stress": NotRequired[Sequence["InitialStress"]], "loads": NotRequired[Sequence["Load"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": NotRequired["Material"], "orientation": NotRequired["Orientation"], "output": NotRequired["Output"], "parameters": NotRequired[Mapping[str, Union[float, str]]], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": NotRequired["Section"], "sets": NotRequired[Mapping[str, "Region"]], "supports": NotRequired[Sequence["Support"]], "ties": NotRequired[Sequence["ShellTie"]], "title": NotRequired[str], "tools": NotRequired[Sequence["ToolScene"]], "units": NotRequired["Units"], "velocity": NotRequired["Velocity"]})
+    SceneKeys = TypedDict("SceneKeys", {"analysis": NotRequired["Analysis"], "bodies": NotRequired[Mapping[str, "BodyScene"]], "contact": NotRequired[Sequence["ContactScene"]], "coupling": NotRequired["Coupling"], "curve": NotRequired[Sequence["Probe"]], "error": NotRequired["ErrorBars"], "files": NotRequired[Mapping[str, str]], "formulation": NotRequired["Formulation"], "geometry": NotRequired["Geometry"], "glue": NotRequired[Sequence["GlueScene"]], "imperfection": NotRequired["Imperfection"], "include": NotRequired[Sequence[str]], "initial_stress": NotRequired[Sequence["InitialStress"]], "loads": NotRequired[Sequence["Load"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": NotRequired["Material"], "orientation": NotRequired["Orientation"], "output": NotRequired["Output"], "parameters": NotRequired[Mapping[str, Union[float, str]]], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": NotRequired["Section"], "sets": NotRequired[Mapping[str, "Region"]], "supports": NotRequired[Sequence["Support"]], "ties": NotRequired[Sequence["ShellTie"]], "title": NotRequired[str], "tools": NotRequired[Sequence["ToolScene"]], "units": NotRequired["Units"], "velocity": NotRequired["Velocity"]})

@@ -195,6 +195,13 @@ class Result:
     _scene: str = field(default="", repr=False)
     _folder: Optional[Path] = field(default=None, repr=False)
 
+    @property
+    def cases(self) -> dict[str, dict[str, float]]:
+        """Of a scene with load cases the numbers of each case and combination by its name: `result.cases["wind"]["w"]`; `summary["envelope"]` has the
+        least and the greatest of each column."""
+        found = zip(self.summary.get("cases", []), self.curve.rows)
+        return {case["name"]: dict(zip(self.curve.names, map(float, row))) for case, row in found}
+
     def view(self, *, height: int = 560, size: float = 30.0) -> _view.View:
         """The run as a page, which a notebook shows: shapes that turn, fields, frames, the curve. `size` bounds it, in megabytes: a page
         that would be larger has fewer frames, then fewer fields, and says so."""

@@ -32,7 +32,8 @@ pub(super) fn key(analysis: &Analysis, curves: &[&Curve]) -> Result<Key, String>
     let Some(own) = curves.first() else { return Ok(Key::Only) };
     let named = |name: &str| own.columns.iter().position(|column| column.name == name);
     Ok(match analysis {
-        Analysis::Linear(_) => Key::Only,
+        // Load cases have a row each.
+        Analysis::Linear(_) => named("case").map_or(Key::Only, Key::Column),
         Analysis::Modal(_) | Analysis::Buckling(_) => Key::Shape,
         Analysis::Harmonic(_) => named("frequency").map_or(Key::Only, Key::Column),
         Analysis::ArcLength(_) => {

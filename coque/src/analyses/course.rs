@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use explicit_dynamics::Instant;
 
+use super::cases::Cases;
 use super::march::Marching;
 use super::one_solve::OneSolveLevels;
 use super::path::{Levels, arc_length};
@@ -25,6 +26,8 @@ pub(super) enum Course {
     StartedLevels(Box<StartedLevels>),
     OneSolve(Box<OneSolveLevels>),
     Relaxation(Box<RelaxedLevels>),
+    /// A load case or a combination at once.
+    Cases(Box<Cases>),
     /// All at once.
     Linear(Linear),
     ArcLength(ArcLength),
@@ -52,7 +55,7 @@ impl Course {
             }
             Analysis::Static(wanted) => Self::Levels(Box::new(Levels::new(wanted, from))),
             Analysis::Relaxation(wanted) => Self::Relaxation(Box::new(RelaxedLevels::new(wanted, from))),
-            Analysis::Linear(wanted) => Self::Linear(*wanted),
+            Analysis::Linear(wanted) => Self::Linear(wanted.clone()),
             Analysis::ArcLength(wanted) => Self::ArcLength(wanted.clone()),
             Analysis::Modal(wanted) => Self::Modal(*wanted),
             Analysis::Harmonic(wanted) => Self::Harmonic(wanted.clone()),
@@ -73,6 +76,7 @@ impl Course {
             (Self::StartedLevels(levels), Ready::Static(body)) => levels.advance(body.as_mut(), run),
             (Self::OneSolve(levels), Ready::Static(body)) => levels.advance(body.as_mut(), run),
             (Self::Relaxation(levels), Ready::Static(body)) => levels.advance(body.as_mut(), run),
+            (Self::Cases(cases), Ready::Static(body)) => cases.advance(body.as_mut(), run),
             (Self::Linear(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(linear::linear(wanted, body.as_mut(), run))
             }
@@ -110,9 +114,12 @@ impl Course {
             Self::StartedLevels(levels) => levels.last(),
             Self::OneSolve(levels) => levels.last(),
             Self::Relaxation(levels) => levels.last(),
-            Self::Linear(_) | Self::ArcLength(_) | Self::Modal(_) | Self::Harmonic(_) | Self::Buckling(_) => {
-                0.0
-            }
+            Self::Cases(_)
+            | Self::Linear(_)
+            | Self::ArcLength(_)
+            | Self::Modal(_)
+            | Self::Harmonic(_)
+            | Self::Buckling(_) => 0.0,
         };
         Instant { time: 0.0, level }
     }

@@ -81,7 +81,7 @@ fn of_balance(analysis: &Analysis, body: &mut dyn StaticBody, bytes: f64) -> Est
         Analysis::ArcLength(_) | Analysis::Relaxation(_) => None,
         _ => Some([1.0; 2]),
     };
-    let wanted = if let Analysis::Linear(wanted) = analysis { *wanted } else { Linear::default() };
+    let wanted = if let Analysis::Linear(wanted) = analysis { wanted.clone() } else { Linear::default() };
     let begun = Instant::now();
     // A tangent that cannot be solved says so when the scene is run; its time counts all the same.
     let _ = solved(&wanted, body);
@@ -178,7 +178,7 @@ fn steps(explicit: &Explicit, body: &mut dyn DynamicBody, dt: f64) -> Option<[f6
             [SHORTEST_HOLD, path.hold.get()].map(|hold| levels * (path.ramp.get() + hold) * period / dt),
         );
     }
-    let duration = explicit.transient.map_or(0.0, |run| run.duration.get());
+    let duration = explicit.transient.as_ref().map_or(0.0, |run| run.duration.get());
     Some([duration / dt; 2])
 }
 

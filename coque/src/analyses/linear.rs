@@ -30,9 +30,8 @@ const SMALL: f64 = 1e-2;
 
 /// Finds the linear answer at level one and reads the curve's one row.
 pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
-    let interrupted = Ended::Interrupted { time: 0.0, level: 0.0 };
     if run.tell(0.0, 0, 0.0, 0.0).is_break() {
-        return interrupted;
+        return INTERRUPTED;
     }
     let (response, way) = match solved(wanted, system) {
         Ok(found) => found,
@@ -41,8 +40,54 @@ pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run
     // The load that is applied, or the force that brings the prescribed motion about.
     let force = run.driven.map_or(1.0, |driven| driven.by / driven.moved(system, &response));
     let motion = scaled(&response, force);
+    let Some(answer) = read(&motion, force, system, run) else { return INTERRUPTED };
+    let mut row = vec![1.0, answer.internal, 1.0];
+    match way {
+        Way::Factor(inertia) => {
+            row.push(inertia.negative as f64);
+            warning_stability(inertia, run);
+        }
+        Way::Iterated(found) => run.record.conjugate_gradients = Some(found),
+    }
+    answer.warn(None, system, run);
+    row.extend(&answer.columns);
+    run.supports = answer.supports;
+    run.push(row);
+    run.record.energies = Energies::at_rest(answer.internal);
+    run.record.newton_iterations = 1;
+    answer.show(&motion, 1.0, None, system, run);
+    Ended::Done
+}
+
+/// How a run ends that was asked to before it had an answer.
+pub(super) const INTERRUPTED: Ended = Ended::Interrupted { time: 0.0, level: 0.0 };
+
+/// A linear answer, read.
+pub(super) struct Answer {
+    /// What the columns of the scene measure.
+    pub columns: Vec<f64>,
+    /// Internal energy \[F L\].
+    pub internal: f64,
+    /// What the supports exert, of a body that tells.
+    pub supports: Option<Resultant>,
+    /// Forces that fields show; none where nobody takes any.
+    forces: Vec<f64>,
+    /// The places of the particles \[L\].
+    there: Vec<Vec3>,
+    /// Largest displacement of a particle \[L\].
+    largest: f64,
+}
+
+/// Reads columns, energy and forces along a motion from rest, which so many times the load at level one bring about; the body is left at rest. None if
+/// the run is to end.
+pub(super) fn read(
+    motion: &[f64],
+    force: f64,
+    system: &mut dyn StaticBody,
+    run: &mut Run<'_>,
+) -> Option<Answer> {
     let rest = system.save();
-    let there = moved(system, &rest, &motion, loaded(run, 1.0));
+    let there = moved(system, &rest, motion, loaded(run, 1.0));
     let largest = farthest(system, &there);
     let step = if largest > 0.0 { REACH * system.linear_reach() / largest } else { 1.0 };
     let (columns, fields) = (run.probes.iter().map(Probe::part_count).sum::<usize>(), run.frames.is_some());
@@ -51,10 +96,10 @@ pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run
     let mut energies = [0.0; 5];
     for ((reading, energy), k) in readings.iter_mut().zip(&mut energies).zip([0.0, 1.0, 2.0, -1.0, -2.0]) {
         if run.tell(0.0, 1, 0.0, 0.0).is_break() {
-            return interrupted;
+            return None;
         }
         system.restore(&rest);
-        system.update(&scaled(&motion, k * step));
+        system.update(&scaled(motion, k * step));
         *energy = system.refresh(loaded(run, k * step));
         reading.extend(run.probes.iter_mut().flat_map(|probe| probe.parts(system)));
         reading.extend(system.support_resultant().into_iter().flat_map(|r| [r.force, r.moment]).flatten());
@@ -62,7 +107,7 @@ pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run
             reading.extend(system.forces());
         }
     }
-    note_glue(system, &rest, &motion, step, run);
+    note_glue(system, &rest, motion, step, run);
     let [here, ahead, beyond, behind, before] = readings;
     system.restore(&rest);
     let internal = if system.has_moving_supports() || system.stress_forces(1.0) > 0.0 {
@@ -72,42 +117,50 @@ pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run
     } else {
         let mut load = vec![0.0; motion.len()];
         system.load_rate(0.0, &mut load);
-        0.5 * force * load.iter().zip(&motion).map(|(f, u)| f * u).sum::<f64>()
+        0.5 * force * load.iter().zip(motion).map(|(f, u)| f * u).sum::<f64>()
     };
-    let mut row = vec![1.0, internal, 1.0];
-    match way {
-        Way::Factor(inertia) => {
-            row.push(inertia.negative as f64);
-            warning_stability(inertia, run);
-        }
-        Way::Iterated(found) => run.record.conjugate_gradients = Some(found),
-    }
-    warning_size(system, &there, largest, run);
     let linear = |i: usize| {
         let (near, far) = (ahead[i] - behind[i], beyond[i] - before[i]);
         here[i] + (8.0 * near - far) / (12.0 * step)
     };
     let mut parts = (0..columns).map(linear);
-    row.extend(run.probes.iter().map(|probe| {
+    let probes = run.probes.iter().map(|probe| {
         let own: Vec<f64> = parts.by_ref().take(probe.part_count()).collect();
         probe.of_parts(&own)
-    }));
+    });
+    let values = probes.collect();
     let borne =
         system.support_resultant().map(|_| -> [f64; 6] { std::array::from_fn(|k| linear(columns + k)) });
-    run.supports = borne.map(|[a, b, c, d, e, f]| Resultant { force: [a, b, c], moment: [d, e, f] });
-    run.push(row);
-    run.record.energies = Energies::at_rest(internal);
-    run.record.newton_iterations = 1;
-    keep_enlarged(system.configuration().rest, &there, 1.0, run);
-    let level = loaded(run, 1.0);
-    if let Some(frames) = &mut run.frames {
-        let after = columns + borne.map_or(0, |borne| borne.len());
-        let forces: Vec<f64> = (after..here.len()).map(linear).collect();
-        moved(system, &rest, &motion, level);
-        frames.offer_linear(system, &forces);
-        system.restore(&rest);
+    let supports = borne.map(|[a, b, c, d, e, f]| Resultant { force: [a, b, c], moment: [d, e, f] });
+    let after = columns + borne.map_or(0, |borne| borne.len());
+    let forces = (after..here.len()).map(linear).collect();
+    Some(Answer { columns: values, internal, supports, forces, there, largest })
+}
+
+impl Answer {
+    /// Warns of an answer too large to be linear; `to` names the load case.
+    pub fn warn(&self, to: Option<&str>, system: &dyn StaticBody, run: &mut Run<'_>) {
+        warning_size(to, system, &self.there, self.largest, run);
     }
-    Ended::Done
+
+    /// Keeps the shape, and offers the frame of a motion, of a load case by its number and name.
+    pub fn show(
+        &self,
+        motion: &[f64],
+        number: f64,
+        name: Option<&str>,
+        system: &mut dyn StaticBody,
+        run: &mut Run<'_>,
+    ) {
+        keep_enlarged(system.configuration().rest, &self.there, number, run);
+        let level = loaded(run, 1.0);
+        if let Some(frames) = &mut run.frames {
+            let rest = system.save();
+            moved(system, &rest, motion, level);
+            frames.offer_linear(system, &self.forces, name.map(|name| (number, name)));
+            system.restore(&rest);
+        }
+    }
 }
 
 /// Notes what glue does in the linear answer, by a motion so small that turns do not count.
@@ -155,7 +208,7 @@ pub(super) fn solved(
 }
 
 /// Warns of a body that would leave its place under no load at all.
-fn warning_stability(inertia: Inertia, run: &mut Run<'_>) {
+pub(super) fn warning_stability(inertia: Inertia, run: &mut Run<'_>) {
     if inertia.negative > 0 {
         let message = format!(
             "the unloaded body is not stable (negative pivots of its tangent: {}): the linear answer is one to a state that it would leave \
@@ -172,8 +225,8 @@ fn warning_stability(inertia: Inertia, run: &mut Run<'_>) {
 /// 2.3 % at .15. A fibre that turns by θ is counted too long by `θ²/2`, 12 % at .5.
 const LARGE: [f64; 2] = [0.15, 0.5];
 
-/// Warns of an answer that is too large to be linear; `largest` is the largest displacement of the places `there`.
-fn warning_size(system: &dyn StaticBody, there: &[Vec3], largest: f64, run: &mut Run<'_>) {
+/// Warns of an answer, to a load case where there are some, that is too large to be linear; `largest` is the largest displacement of the places `there`.
+fn warning_size(to: Option<&str>, system: &dyn StaticBody, there: &[Vec3], largest: f64, run: &mut Run<'_>) {
     let Configuration { rest, cells, .. } = system.configuration();
     // Of fibres between neighbours of a cell; what a fibre moves by across itself, over its length.
     let sides = cells.iter().flat_map(|cell| {
@@ -191,9 +244,10 @@ fn warning_size(system: &dyn StaticBody, there: &[Vec3], largest: f64, run: &mut
     let turns =
         if cells.is_empty() { String::new() } else { format!(" and turns fibres by {turned:.2} rad") };
     let message = format!(
-        "the linear answer moves the body by {moved:.2} of its extent{turns}, beyond {} and {} rad: it is no longer small and may be far off: a linear \
+        "the linear answer{} moves the body by {moved:.2} of its extent{turns}, beyond {} and {} rad: it is no longer small and may be far off: a linear \
          answer grows with its load without end, already {:.0} % too far for a strip that bends by {} of its length. Lower the load, or \
          follow it with [analysis.static]",
+        to.map_or_else(String::new, |name| format!(" to `{name}`")),
         LARGE[0],
         LARGE[1],
         102.0 * LARGE[0] * LARGE[0],

@@ -30,7 +30,7 @@ impl Marching {
     pub fn new(explicit: &Explicit, (tangent, particles): (TangentCost, usize), from: Option<Stage>) -> Self {
         let path = explicit.quasi_static.clone();
         let stability = Stability::new(path.as_ref().and_then(|path| path.stability), tangent, particles);
-        let plan = match (&explicit.quasi_static, explicit.transient) {
+        let plan = match (&explicit.quasi_static, &explicit.transient) {
             (Some(path), _) => Some(settle(path, explicit.safety.get()).into()),
             (None, Some(wanted)) => Some(move_on(wanted, explicit.safety.get()).into()),
             (None, None) => None,
@@ -197,8 +197,8 @@ fn settle(path: &QuasiStatic, safety: f64) -> explicit_dynamics::QuasiStatic {
 }
 
 /// In real time.
-fn move_on(wanted: Transient, safety: f64) -> explicit_dynamics::Transient {
-    let Transient { duration, record_every, damping } = wanted;
+fn move_on(wanted: &Transient, safety: f64) -> explicit_dynamics::Transient {
+    let Transient { duration, record_every, damping, .. } = wanted;
     explicit_dynamics::Transient {
         duration: duration.get(),
         record_every: record_every.get(),

@@ -2,6 +2,7 @@
 //! ends.
 
 mod breaking;
+mod cases;
 mod course;
 mod criticality;
 mod estimate;
@@ -27,6 +28,8 @@ use crate::bodies::{Description, Model, Resultant, TangentCost};
 use crate::fields::{FieldSink, Frames};
 use crate::results::curve::Curve;
 use crate::run::Run;
+use crate::run::base_motion::BaseMotion;
+use crate::run::cases_summary::CasesSummary;
 use crate::run::checkpoint::{Checkpoint, CheckpointError, Checkpoints, checksum};
 use crate::run::contact_watch::ContactWatch;
 use crate::run::impulses::Impulses;
@@ -87,6 +90,8 @@ impl Model {
             driven: self.driven,
             force_unit: self.driven.map(|_| self.task.units.symbol(Quantity::Force)),
             supports: None,
+            cases: None,
+            base: BaseMotion::of(&self.task.analysis),
             frames: sink.map(|sink| Frames::new(sink, &self.task, driven, self.barred.is_some())),
             progress,
             checkpoints,
@@ -114,7 +119,13 @@ impl Model {
         described
     }
 
-    fn summary(self, record: RunRecord, supports: Option<Resultant>, ended: &Ended) -> Summary {
+    fn summary(
+        self,
+        record: RunRecord,
+        supports: Option<Resultant>,
+        cases: Option<CasesSummary>,
+        ended: &Ended,
+    ) -> Summary {
         let mut description = self.describe();
         let Self { task, threads, ranks, .. } = self;
         if let Analysis::Explicit(explicit) = &task.analysis {
@@ -127,6 +138,8 @@ impl Model {
             replaced: Vec::new(),
             analysis: task.analysis.word().into(),
             supports,
+            cases,
+            over_time: Vec::new(),
             threads,
             ranks: ranks.map(|ranks| ranks.number()),
             particle_steps_per_second: description.particles as f64 * marched as f64 / record.wall_seconds,
@@ -168,7 +181,18 @@ fn with_analysis(analysis: &Analysis, tangent: TangentCost) -> (Vec<String>, Vec
     if damping.is_none() {
         left_out.push(none());
     }
-    (damping.into_iter().collect(), left_out)
+    let base = explicit.transient.as_ref().and_then(|run| run.base.as_ref());
+    let base = base.map(|base| shaken(base.response));
+    (damping.into_iter().chain(base).collect(), left_out)
+}
+
+/// A base that is shaken.
+fn shaken(response: BaseResponse) -> String {
+    let to = match response {
+        BaseResponse::Relative => "to the base",
+        BaseResponse::Absolute => "to space",
+    };
+    format!("acceleration of all that holds the body, displacements with respect {to}")
 }
 
 /// What a steady vibration adds.
@@ -181,13 +205,7 @@ fn of_vibration(wanted: &Harmonic) -> (Vec<String>, Vec<String>) {
         )),
         HarmonicDamping::Structural(loss) => Some(format!("structural damping, loss factor {loss}")),
     };
-    let shaken = wanted.base.map(|base| {
-        let to = match base.response {
-            BaseResponse::Relative => "to the base",
-            BaseResponse::Absolute => "to space",
-        };
-        format!("acceleration of all that holds the body, displacements with respect {to}")
-    });
+    let shaken = wanted.base.map(|base| shaken(base.response));
     let mut left_out = vec!["large displacements".to_string()];
     left_out.extend(damping.is_none().then(|| "damping".to_string()));
     (damping.into_iter().chain(shaken).collect(), left_out)

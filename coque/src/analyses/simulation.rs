@@ -6,6 +6,7 @@ use std::time::Instant;
 use explicit_dynamics::Instant as Moment;
 use mesh_io::{FieldError, Sheet};
 
+use super::cases::Cases;
 use super::course::Course;
 use super::preload::preload;
 use super::{RunOptions, true_to_scale};
@@ -17,6 +18,7 @@ use crate::run::checkpoint::{CheckpointError, Stage};
 use crate::run::contact_watch::ContactWatch;
 use crate::run::glue_watch;
 use crate::run::outcome::{Ended, Failure, Outcome};
+use crate::run::over_time::OverTime;
 
 /// A run under way: a model, how far its analysis has come, and what was found so far.
 ///
@@ -27,7 +29,8 @@ use crate::run::outcome::{Ended, Failure, Outcome};
 /// |---|---|
 /// | `explicit` | a step (two where one of them shows the period), and a record of the state before one |
 /// | `static`, `relaxation` | a level found; the first has the row of the start as well |
-/// | `linear`, `arc-length`, `modal`, `harmonic`, `buckling` | all of it at once |
+/// | `linear` with load cases | a case or a combination |
+/// | else `linear`, `arc-length`, `modal`, `harmonic`, `buckling` | all of it at once |
 ///
 /// A preload is an event of its own. Wall time is counted from the beginning, with what the caller does in between.
 ///
@@ -120,12 +123,15 @@ impl<'a> Simulation<'a> {
         let from = from.filter(|stage| !matches!(stage, Stage::Preload));
         Self {
             preloads: from.is_none(),
-            course: Course::new(
-                &model.task.analysis,
-                (model.description.tangent, particles),
-                from,
-                std::mem::take(&mut model.increments),
-            ),
+            course: match model.cases.take() {
+                Some(cases) => Course::Cases(Box::new(Cases::new(*cases, model.threads))),
+                None => Course::new(
+                    &model.task.analysis,
+                    (model.description.tangent, particles),
+                    from,
+                    std::mem::take(&mut model.increments),
+                ),
+            },
             run,
             ended: None,
             pool: pool.and_then(Result::ok),
@@ -263,7 +269,7 @@ impl<'a> Simulation<'a> {
         let Self { model, mut run, ended, started, .. } = self;
         let ended = ended.unwrap_or_default();
         run.contact.look(model.body.body(), [at.time, at.level], &mut run.record);
-        let Run { curve, mut shapes, latest, states, mut record, supports, frames, .. } = run;
+        let Run { curve, mut shapes, latest, states, mut record, supports, cases, frames, .. } = run;
         if let Ready::Static(body) = &model.body {
             record.warnings.extend(body.warnings());
         }
@@ -285,7 +291,12 @@ impl<'a> Simulation<'a> {
             record.warnings.extend(reported);
         }
         record.wall_seconds += started.elapsed().as_secs_f64();
-        let summary = model.summary(record, supports, &ended);
+        let over_time = model.task.output.over_time.then(|| {
+            let first = model.task.analysis.columns().count();
+            OverTime::of(&curve, first)
+        });
+        let mut summary = model.summary(record, supports, cases, &ended);
+        summary.over_time = over_time.unwrap_or_default();
         let states = states.unwrap_or_default();
         Outcome { curve, summary, ended, shapes, states, cells }
     }

@@ -22,6 +22,7 @@ impl Checked {
     pub fn build(&self, threads: usize) -> Result<Model, SceneError> {
         let mut model = self.body_model(threads)?;
         model.contacts = ContactsOfScene::of(self, model.body.body());
+        model.cases = (!self.cases().is_empty()).then(|| Box::new(self.clone()));
         model.barred = self.error.as_ref().map(|_| Box::new(self.clone()));
         Ok(model)
     }

@@ -62,6 +62,7 @@ impl BuiltBody<Ready> {
             contacts: ContactsOfScene::default(),
             sets,
             barred,
+            cases: None,
             increments: Vec::new(),
             ranks: None,
             surrounding: None,

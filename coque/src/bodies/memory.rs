@@ -71,7 +71,10 @@ impl Memory {
 /// # Errors
 /// [`SceneError::Value`] at what sets the number of particles.
 pub(crate) fn check_memory(scene: &BodyInScene<'_>, particles: f64) -> Result<Memory, SceneError> {
-    let memory = Memory { needed: memory(scene.analysis, scene.body, particles), available: available() };
+    let mut memory = Memory { needed: memory(scene.analysis, scene.body, particles), available: available() };
+    if scene.scene.is_load_set {
+        memory.available = None;
+    }
     let Some(available) = memory.available.filter(|&available| memory.needed > available) else {
         return Ok(memory);
     };

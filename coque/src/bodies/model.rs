@@ -15,7 +15,7 @@ use crate::Warning;
 use crate::ranks::Ranks;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Analysis, Checked, Harmonic, Output, Scene, phase_of};
+use crate::scene::{Analysis, CASE, Checked, Explicit, Harmonic, Output, Scene, Transient, phase_of};
 
 /// What is asked of a body, whatever it is made of.
 #[derive(Clone, Debug)]
@@ -38,8 +38,15 @@ impl Task {
         let mut analysis = analysis.clone();
         // What shakes a shell turns with its conditions.
         let turn = scene.as_shell().and_then(|shell| shell.orientation);
-        if let (Analysis::Harmonic(Harmonic { base: Some(base), .. }), Some(turn)) = (&mut analysis, turn) {
-            base.acceleration = (turn.rotation() * Vec3::from(base.acceleration)).into();
+        let shaken = match &mut analysis {
+            Analysis::Harmonic(Harmonic { base: Some(base), .. }) => Some(&mut base.acceleration),
+            Analysis::Explicit(Explicit { transient: Some(Transient { base: Some(base), .. }), .. }) => {
+                Some(&mut base.acceleration)
+            }
+            _ => None,
+        };
+        if let (Some(acceleration), Some(turn)) = (shaken, turn) {
+            *acceleration = (turn.rotation() * Vec3::from(*acceleration)).into();
         }
         Self { title: title.clone(), units, analysis, output: output.clone() }
     }
@@ -69,6 +76,8 @@ pub struct Model {
     pub(crate) contacts: ContactsOfScene,
     /// Its scene, where the errors of its numbers are asked for.
     pub(crate) barred: Option<Box<Checked>>,
+    /// Its scene, where that has load cases.
+    pub(crate) cases: Option<Box<Checked>>,
     /// Changes of the state from one level to the next, from which the levels of a static analysis start; none where each starts at the one
     /// before.
     pub(crate) increments: Vec<Vec<f64>>,
@@ -128,6 +137,7 @@ impl Model {
             judge: None,
             contacts: ContactsOfScene::default(),
             barred: None,
+            cases: None,
             increments: Vec::new(),
             ranks: None,
             surrounding: None,
@@ -203,7 +213,8 @@ impl Model {
         let quantity = |name: &str| match name {
             "time" => Quantity::Time,
             "level" if force => Quantity::Force,
-            "level"
+            CASE
+            | "level"
             | "iterations"
             | "negative_pivots"
             | "mode"
@@ -215,7 +226,11 @@ impl Model {
         };
         let unit = |name: &str| units.symbol(quantity(name));
         let kind = analysis.kind();
-        let always = analysis.columns().map(|name| Column { name: name.into(), unit: unit(name) });
+        let case = self.cases.as_ref().map(|_| CASE);
+        let always = case
+            .into_iter()
+            .chain(analysis.columns())
+            .map(|name| Column { name: name.into(), unit: unit(name) });
         let swings = matches!(analysis, Analysis::Harmonic(_));
         let phase = |name: &str| Column { name: phase_of(name), unit: units.symbol(Quantity::Angle) };
         let own = self.probes.iter().filter(|_| !kind.gives_modes);

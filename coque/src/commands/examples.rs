@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 98] = [
+const EXAMPLES: [Example; 100] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -142,6 +142,8 @@ const EXAMPLES: [Example; 98] = [
     Example::new("twisted-beam", 0.1, include_str!("../../../scenes/twisted-beam.toml")),
     Example::new("twisted-strip", 0.5, include_str!("../../../scenes/twisted-strip.toml")),
     Example::new("two-cantilevers", 3.0, include_str!("../../../scenes/two-cantilevers.toml")),
+    Example::new("two-span-cases", 0.3, include_str!("../../../scenes/two-span-cases.toml")),
+    Example::new("deck-in-quake", 5.0, include_str!("../../../scenes/deck-in-quake.toml")),
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.

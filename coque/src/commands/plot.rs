@@ -158,10 +158,11 @@ fn shape(plot: &Plot) -> Result<PathBuf, String> {
     let numbers = numbers(plot, &lists[0], count)?;
     let (last, _) = frame(&series, count - 1)?;
     let field = plot.field.as_deref().unwrap_or_else(|| usual_field(&last));
-    let scene = title(&plot.folder, read_summary(&plot.folder).as_ref());
+    let summary = read_summary(&plot.folder);
+    let scene = title(&plot.folder, summary.as_ref());
     let curve = read_curve(&plot.folder).unwrap_or_default();
     let places: Vec<f64> = series[0].iter().map(|(along, _)| *along).collect();
-    let places = Along::of(&curve, &places);
+    let places = Along::of(&curve, &places).with_cases(summary.as_ref());
     let (view, mirror) = (plot.view, &plot.mirror.0[..]);
     let own = Picture {
         field: Some(field),

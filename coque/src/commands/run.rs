@@ -84,6 +84,7 @@ Results, in DIR:
   curve.svg      the plot that [output] asks for
   fields/        with [output.fields]: shell.pvd and, extruded, solid.pvd for ParaView; of a solid solid.pvd; written on the way;
                  sets.json has particles by the name of their set
+  cases.csv      with load cases: their rows by name, with the least and greatest of each column and where it is met
   summary.json   method, particles, steps, speed, energies, how each level ended, critical points
   view.html      the run in the browser, with --view or by `coque view DIR`
   scene.toml     a copy of the scene; what --set replaced stands at its end
@@ -202,7 +203,7 @@ pub fn read_scene(path: &Path, replaced: &[(String, String)]) -> Result<(Checked
     let repair = || super::examples::suggestion(path).map_or_else(String::new, |words| format!("; {words}"));
     let text = read_text(path).map_err(|e| format!("cannot read {file}: {e}{}\n", repair()))?;
     let scene = Scene::with_overrides(&text, &file, replaced).map_err(|e| Refused::scene(&e))?;
-    let text = Scene::whole_text(&text, &file).map_err(|e| Refused::scene(&e))?;
+    let text = Scene::whole_text(&text, &file, replaced).map_err(|e| Refused::scene(&e))?;
     Ok((scene, text))
 }
 

@@ -179,16 +179,18 @@ fn further(wanted: &Fields, body: &Written<'_>, others: [(Part, Series); 3]) -> 
 
 impl FieldSink for FieldFiles {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
-        let along = frame.along;
+        let (along, case) = (frame.along, frame.case);
         let several = !frame.body.bodies().is_empty();
         for (number, (surface, further)) in self.bodies.iter_mut().enumerate() {
             let fields = match several {
                 true => frame.evaluate_one(number, self.stresses),
                 false => frame.evaluate(self.stresses),
             };
-            let mut surface = || surface.add(along, |to| fields.write(Part::Surface, to));
+            let mut surface = || surface.add_named(along, case, |to| fields.write(Part::Surface, to));
             let mut further = || {
-                further.iter_mut().try_for_each(|(part, own)| own.add(along, |to| fields.write(*part, to)))
+                further
+                    .iter_mut()
+                    .try_for_each(|(part, own)| own.add_named(along, case, |to| fields.write(*part, to)))
             };
             // While a frame is written no step is made: where the run has threads, two of them write. A run on one thread
             // has no pool, and must not wake that of the whole process.

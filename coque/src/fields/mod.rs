@@ -44,12 +44,14 @@ pub struct Frame<'a> {
     /// What is asked of its fields, stresses apart.
     pub shown: FieldRequest<'a>,
     /// What a film of the frames runs along, ascending: time \[T\] of a transient run, load level of a quasi-static
-    /// or static one, number of the point of a path, number of the mode.
+    /// or static one, number of the point of a path, number of the mode, number of the load case.
     pub along: f64,
     /// Load level; frequency \[1/T\] of a mode of vibration.
     pub level: f64,
     /// Time \[T\]; zero where there is none.
     pub time: f64,
+    /// Name of the load case or combination that it shows, where there are some.
+    pub case: Option<&'a str>,
 }
 
 impl<'a> Frame<'a> {
@@ -69,7 +71,7 @@ impl<'a> Frame<'a> {
             forces: None,
         };
         let along = if task.analysis.kind().passes_time { time } else { level };
-        Self { body, shown, along, level, time }
+        Self { body, shown, along, level, time, case: None }
     }
 
     /// Works out what the frame shows, once for all its parts.
@@ -196,36 +198,37 @@ impl<'a> Frames<'a> {
 
     /// Hands a frame on if its turn has come; `Break` if the sink cannot go on.
     pub(crate) fn offer(&mut self, body: &dyn Body, time: f64, level: f64) -> ControlFlow<()> {
-        self.offer_with(body, time, level, None)
+        self.offer_with(body, [time, level], None, None)
     }
 
-    /// The same for a linear answer, of which there is but one.
-    pub(crate) fn offer_linear(&mut self, body: &dyn Body, forces: &[f64]) {
-        // Nothing follows: a frame that could not be taken is reported by the failure.
-        let _ = self.offer_with(body, 0.0, 1.0, Some(forces));
+    /// The same for a linear answer, to a load case by its number and name where there are some. A frame that could not be taken is reported by the
+    /// failure.
+    pub(crate) fn offer_linear(&mut self, body: &dyn Body, forces: &[f64], case: Option<(f64, &str)>) {
+        let _ = self.offer_with(body, [0.0, 1.0], Some(forces), case);
     }
 
     fn offer_with(
         &mut self,
         body: &dyn Body,
-        time: f64,
-        level: f64,
+        [time, level]: [f64; 2],
         forces: Option<&[f64]>,
+        case: Option<(f64, &str)>,
     ) -> ControlFlow<()> {
         let number = self.offered;
         let wanted = self.failure.is_none() && number.is_multiple_of(self.every);
         self.offered += 1;
         if wanted {
-            let along = match self.along {
-                Along::Time => time,
-                Along::Level => level,
-                Along::Number(first) => (first + number) as f64,
+            let along = match (case, self.along) {
+                (Some((case, _)), _) => case,
+                (None, Along::Time) => time,
+                (None, Along::Level) => level,
+                (None, Along::Number(first)) => (first + number) as f64,
             };
             let Self { state, driven, units, indicator, contact, of_stresses, .. } = *self;
             let stresses = false;
             let shown =
                 FieldRequest { state, units, stresses, indicator, contact, of_stresses, driven, forces };
-            let frame = Frame { body, shown, along, level, time };
+            let frame = Frame { body, shown, along, level, time, case: case.map(|(_, name)| name) };
             match self.sink.frame(&frame) {
                 Ok(()) => self.taken += 1,
                 Err(error) => self.failure = Some(error),

@@ -6,6 +6,8 @@ use std::ops::ControlFlow;
 use implicit_statics::EquilibriumError;
 use peers::Peers;
 
+use super::base_motion::BaseMotion;
+use super::cases_summary::CasesSummary;
 use super::checkpoint::{Checkpoint, CheckpointError, Checkpoints, Contents, Stage, checksum};
 use super::contact_watch::ContactWatch;
 use super::impulses::Impulses;
@@ -40,6 +42,10 @@ pub(crate) struct Run<'a> {
     pub force_unit: Option<String>,
     /// What the supports exerted at the last record.
     pub supports: Option<Resultant>,
+    /// What was found for load cases and combinations, in a scene that has some.
+    pub cases: Option<CasesSummary>,
+    /// What the base moves by, where columns have that in them.
+    pub base: Option<BaseMotion>,
     /// Looks at contact where the run records.
     pub contact: ContactWatch,
     /// Where frames of fields go, if anywhere.
@@ -54,7 +60,14 @@ pub(crate) struct Run<'a> {
 impl Run<'_> {
     /// Adds a row to the curve: the columns of the analysis, then what the probes read.
     pub fn row(&mut self, mut columns: Vec<f64>, body: &dyn Body) {
+        let (time, mut at) = (columns[0], columns.len());
         self.read_probes(&mut columns, body);
+        if let Some(base) = &self.base {
+            for probe in &self.probes {
+                columns[at] += base.adds(probe, time);
+                at += 1 + usize::from(probe.of.has_mean());
+            }
+        }
         self.push(columns);
     }
 

@@ -21,8 +21,16 @@ const PICTURE: &str = "curve.svg";
 const LOCK: &str = "coque.lock";
 
 /// What a run writes, but for the copy of its scene and its frames.
-const WRITTEN: [&str; 7] =
-    [CURVE, PICTURE, SUMMARY, CHECKPOINT, CHECKPOINT_ROWS, ResultFolder::TABLE, ResultFolder::VIEW];
+const WRITTEN: [&str; 8] = [
+    CURVE,
+    PICTURE,
+    SUMMARY,
+    CHECKPOINT,
+    CHECKPOINT_ROWS,
+    ResultFolder::TABLE,
+    ResultFolder::VIEW,
+    ResultFolder::CASES,
+];
 
 /// The folder of a run, held until this is dropped.
 pub struct ResultFolder {
@@ -40,6 +48,8 @@ impl ResultFolder {
     pub const FIELDS: &'static str = "fields";
     /// The table of a sweep.
     pub const TABLE: &'static str = "sweep.csv";
+    /// The table of load cases by name, with their envelope.
+    pub const CASES: &'static str = "cases.csv";
     /// The page of the frames.
     pub const VIEW: &'static str = "view.html";
 
@@ -145,6 +155,10 @@ impl ResultFolder {
         let curve =
             errors.map_or(Cow::Borrowed(&outcome.curve), |errors| Cow::Owned(errors.beside(&outcome.curve)));
         note(CURVE, write_whole(&self.path.join(CURVE), |to| curve.write_csv(to)));
+        if let Some(cases) = &outcome.summary.cases {
+            let file = self.path.join(ResultFolder::CASES);
+            note(ResultFolder::CASES, write_whole(&file, |to| cases.write_csv(&curve, to)));
+        }
         let summary = serde_json::to_vec_pretty(&outcome.summary).map_err(io::Error::from);
         note(
             SUMMARY,

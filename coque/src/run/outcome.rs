@@ -98,6 +98,14 @@ pub enum Failure {
         /// What to do about it.
         repair: &'static str,
     },
+    /// The body could not be built under a load case.
+    #[error("the body cannot be built under `{name}`: {cause}")]
+    Case {
+        /// The case or combination.
+        name: String,
+        /// What the builder says.
+        cause: String,
+    },
     /// The body was made ready for another analysis.
     #[error("{analysis} needs {wanted}")]
     Kind {
@@ -115,7 +123,7 @@ impl Failure {
     /// Whether the scene asked for what cannot be done, or the disk has no room: nothing diverged.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::Fields(_) | Self::March(MarchError::Option { .. }) => true,
+            Self::Fields(_) | Self::Case { .. } | Self::March(MarchError::Option { .. }) => true,
             Self::Balance { cause, .. } | Self::Preload { cause, .. } => {
                 matches!(cause, EquilibriumError::Option { .. })
             }

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::cases_summary::CasesSummary;
+use super::over_time::OverTime;
 use super::record::RunRecord;
 use crate::bodies::{Description, Resultant};
 use crate::results::error_bars::Errors;
@@ -24,6 +26,12 @@ pub struct Summary {
     /// What the supports exert, reduced to the centroid, at the last record; none where nothing was recorded or known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub supports: Option<Resultant>,
+    /// What was found for load cases and combinations; none in a scene without.
+    #[serde(skip_serializing_if = "Option::is_none", flatten)]
+    pub cases: Option<CasesSummary>,
+    /// What measured columns were over the time of the run; none where it is not asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub over_time: Vec<OverTime>,
     /// Threads used.
     pub threads: usize,
     /// Processes that ran it together, each with so many threads; none where one did.

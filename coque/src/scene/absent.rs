@@ -141,10 +141,10 @@ const ROWS: &[Row] = &[
     (
         &["acceleration", "base_motion", "base_acceleration", "ground_motion"],
         &["supports", ""],
-        NotYet {
-            feature: "prescribed accelerations",
-            nearest: "`moved` with `amplitude = { table = … }`, or `gravity` with an amplitude seen from the base",
-        },
+        Instead(
+            "all that holds the bodies is accelerated by `analysis.explicit.transient.base = { acceleration = [9.81, 0, 0], amplitude = { record = … } }`; one set \
+             alone moves by `moved` with an amplitude of the displacement",
+        ),
     ),
     (
         &["mpc", "equation", "rbe3", "constraint"],

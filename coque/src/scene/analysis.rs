@@ -1,10 +1,11 @@
 //! How to find answers: by marching in time, along a load path or in real time, or without time.
 
+use explicit_dynamics::Amplitude;
 pub use explicit_dynamics::Damping;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::harmonic::Harmonic;
+use super::harmonic::{BaseResponse, Harmonic};
 use super::levels::Levels;
 use super::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static};
 use crate::scene::bounded::{Missing, NotNegative, Positive, Rest, Safety};
@@ -74,7 +75,7 @@ pub struct QuasiStatic {
 }
 
 /// A run in real time.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Transient {
     /// Length of the run \[T\].
@@ -84,6 +85,22 @@ pub struct Transient {
     /// Mass-proportional damping \[1/T\].
     #[serde(default)]
     pub damping: NotNegative,
+    /// Shakes all that holds the bodies.
+    pub base: Option<MovingBase>,
+}
+
+/// An acceleration of all that holds the bodies in time: supports, springs to the ground, prescribed motions and tools go along. In axes that go along
+/// too it is the load −a on all mass.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MovingBase {
+    /// Acceleration where its course is one \[L/T²\].
+    pub acceleration: [f64; 3],
+    /// Its course in time, such as a record of an earthquake; it starts from rest.
+    pub amplitude: Amplitude,
+    /// Of what columns of displacement, position and velocity are.
+    #[serde(default)]
+    pub response: BaseResponse,
 }
 
 fn critical() -> Damping {

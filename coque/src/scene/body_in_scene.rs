@@ -186,6 +186,8 @@ impl<'a> BodyInScene<'a> {
         let mut motions = (0..self.supports.len()).filter(|&i| self.supports[i].motion().is_some());
         let first = motions.next().filter(|&i| self.supports[i].moved.is_some());
         let alone = self.loads.is_empty() && motions.next().is_none() && !self.may_touch() && !self.together;
+        // All cases share what is free.
+        let alone = alone && self.supports.iter().all(|support| support.case.is_none());
         first.filter(|_| alone && self.analysis.kind().seeks_force)
     }
 

@@ -13,7 +13,7 @@ use crate::scene::includes::Included;
 use crate::scene::parameters::Values;
 use crate::scene::problem::Scene;
 use crate::scene::source::Source;
-use crate::scene::{forms, includes, lists, overrides, parameters, tables};
+use crate::scene::{forms, includes, lists, overrides, parameters, records, tables};
 
 /// A checked scene: made by reading one or by [`Scene::check`], never changed, and the only thing that is built.
 #[derive(Clone, Debug)]
@@ -22,6 +22,11 @@ pub struct Checked {
 }
 
 impl Checked {
+    /// A scene of which a checked one is a part, or a multiple: nothing in it is out of bounds that was not so before.
+    pub(super) fn made_of(scene: Scene) -> Self {
+        Self { scene }
+    }
+
     /// The scene, to be changed; [`Scene::check`] checks it anew.
     pub fn into_scene(self) -> Scene {
         self.scene
@@ -95,21 +100,35 @@ impl Scene {
         Self::merged(&whole, text.len(), replaced, &files, source)
     }
 
-    /// The text of a scene with all that it includes, to be read without these files; itself where it includes none.
+    /// The text of a scene with all that it includes and the texts of files that its records name, those of replaced values too, to be read without
+    /// these files; itself where there are none.
     ///
     /// # Errors
     /// [`SceneError`] for files that cannot be read or are no TOML.
-    pub fn whole_text(text: &str, origin: &str) -> Result<String, SceneError> {
+    pub fn whole_text(text: &str, origin: &str, replaced: &[(String, String)]) -> Result<String, SceneError> {
         let files = includes::read(text, origin)?;
-        if files.is_empty() {
-            return Ok(text.into());
-        }
-        let source = Self::texts(text, origin, &[], &files);
+        let source = Self::texts(text, origin, replaced, &files);
         let whole = source.text();
         let mut table = DeTable::parse(&whole[..text.len()]).map_err(|e| source.refusal(&e))?;
         includes::merge(table.get_mut(), &whole, &files, &source)?;
+        let mut with_replaced = table.clone();
+        overrides::apply(with_replaced.get_mut(), &whole, text.len(), replaced, &source)?;
+        let mut records = records::files_of(table.get_ref(), &source)?;
+        records.extend(records::files_of(with_replaced.get_ref(), &source)?);
+        let alone = files.is_empty() && !records::holds_files(table.get_ref());
+        if alone || records.is_empty() && files.is_empty() {
+            return Ok(if records.is_empty() {
+                text.into()
+            } else {
+                text.to_string() + &records::written(&records)
+            });
+        }
+        records::keep(table.get_mut(), records);
         let names: Vec<&str> = files.iter().map(|file| file.origin.as_str()).collect();
-        let head = format!("# {origin} with what it includes: {}\n", names.join(", "));
+        let head = match names.is_empty() {
+            true => String::new(),
+            false => format!("# {origin} with what it includes: {}\n", names.join(", ")),
+        };
         Ok(head.replace(char::is_control, " ").trim_end().to_string()
             + "\n"
             + &includes::written(table.get_ref()))
@@ -153,6 +172,9 @@ impl Scene {
         values: &'i Values,
     ) -> Result<Checked, SceneError> {
         parameters::put(document.get_mut(), values);
+        let tables = records::read(document.get_ref(), &source)?;
+        let mut document = document;
+        records::put(document.get_mut(), &tables, &mut source);
         lists::unite(document.get_mut(), &mut source)?;
         tables::refuse_lists(document.get_ref(), &source)?;
         forms::lengthen(&mut document, &source)?;

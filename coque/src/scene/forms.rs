@@ -16,7 +16,7 @@ fn words() -> Vec<&'static str> {
         BODIES, "sets", "supports", "loads", "contact", "glue", "analysis", "coupling", "curve", "output",
         "error",
     ];
-    [&["title", "units", "include", "parameters"], &ShellScene::WORDS[..], &others].concat()
+    [&["title", "units", "include", "parameters", "files"], &ShellScene::WORDS[..], &others].concat()
 }
 
 /// Name and kind of the body that the short form means.

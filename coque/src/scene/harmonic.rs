@@ -67,7 +67,7 @@ pub enum BaseResponse {
     /// To the base, as it moves.
     #[default]
     Relative,
-    /// To space: that of the base, −a/ω², is added.
+    /// To space: what the base moves by is added, −a/ω² in a harmonic analysis, the integral of its acceleration from rest in time.
     Absolute,
 }
 

@@ -9,6 +9,7 @@ use toml::de::{DeArray, DeTable, DeValue};
 
 use super::error::{SceneError, Verdict};
 use super::overrides::{moved, takes_over};
+use super::records;
 use super::source::Source;
 
 /// Key of the files.
@@ -129,6 +130,9 @@ pub(super) fn merge<'i>(
         table.remove(INCLUDE);
         check_units(document, &table, source)?;
         table.iter_mut().for_each(|(key, value)| relocate(key.get_ref(), value, &file.folder));
+        if file.folder != Path::new("") {
+            records::relocate(&mut table, &file.folder);
+        }
         under(document, table, "");
     }
     Ok(())

@@ -31,6 +31,8 @@ pub struct Load {
     pub traction: Option<Traction>,
     /// Change of temperature of cells of a shell, whose material says how it expands.
     pub temperature: Option<Temperature>,
+    /// Load case to which it belongs, in a linear analysis: each case has an answer of its own, and combinations of them.
+    pub case: Option<String>,
     /// Variation in time, in transient runs.
     pub amplitude: Option<Amplitude>,
     /// Whether it is applied in full before the analysis and held: the level counts the other loads.
@@ -199,6 +201,7 @@ impl Load {
             gravity: Some(gravity),
             traction: None,
             temperature: None,
+            case: None,
             amplitude: None,
             preload: false,
             of_base: true,

@@ -14,6 +14,9 @@ pub struct Output {
     pub plot: Option<Plot>,
     /// Frames for ParaView, in the folder `fields`.
     pub fields: Option<Fields>,
+    /// Whether `summary.json` has, of each measured column over a transient run, mean, root mean square, integral, least and greatest with their times.
+    #[serde(default)]
+    pub over_time: bool,
     /// Longest wall time between checkpoints, from which `coque resume` goes on \[s\]; none are kept without.
     pub checkpoint_every: Option<Positive>,
 }

@@ -80,7 +80,7 @@ pub(super) fn values(document: &DeTable<'_>, source: &Source) -> Result<Values, 
 }
 
 /// The units of a document, if it has sound ones.
-fn units(document: &DeTable<'_>) -> Option<Units> {
+pub(super) fn units(document: &DeTable<'_>) -> Option<Units> {
     let given = document.get("units")?;
     let DeValue::Table(table) = given.get_ref() else { return None };
     let table = Spanned::new(given.span(), table.clone());

@@ -44,6 +44,10 @@ pub struct Scene {
     /// Numbers by names of your own. Where a number is expected, a text such as `"2 * ${NAME}"` is an expression of them.
     #[serde(default)]
     pub parameters: BTreeMap<String, f64>,
+    /// Texts of files that records name, by those names: what stands here is not looked for on the disk. The copy of a scene beside its results holds
+    /// all that it read.
+    #[serde(default)]
+    pub files: BTreeMap<String, String>,
     /// Bodies by name, each of one kind: `[bodies.NAME.KIND]`. A lone shell may stand at the top of the scene without them.
     #[serde(default)]
     pub bodies: BTreeMap<String, BodyScene>,
@@ -80,6 +84,9 @@ pub struct Scene {
     /// Numbers by particle in memory, by the names under which `values` calls them.
     #[serde(skip)]
     pub arrays: BTreeMap<String, Arc<Vec<f64>>>,
+    /// Whether it is what another scene is under one of its load cases, which was held against the memory of the machine; no scene writes it.
+    #[serde(skip)]
+    pub is_load_set: bool,
     /// The text the scene was read from.
     #[serde(skip, default = "Source::none")]
     pub source: Source,

@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 
 use super::loads::Load;
 use super::problem::Scene;
+use super::record::Record;
 use super::shell::ShellScene;
 use super::supports::Support;
 
@@ -14,6 +15,7 @@ use super::supports::Support;
 /// know, are added; TOML has no null, so nothing may be null.
 pub fn schema() -> Value {
     let mut schema = Value::from(schema_for!(Scene));
+    records(&mut schema);
     plain(&mut schema);
     short_form(&mut schema);
     if let Some(types) = schema["$defs"].as_object_mut() {
@@ -96,6 +98,28 @@ fn one_of_two(map: &mut Map<String, Value>) {
         only.into_iter().for_each(|(key, value)| {
             map.entry(key).or_insert(value);
         });
+    }
+}
+
+/// Courses may stand in files, which are read before the scene.
+fn records(schema: &mut Value) {
+    let mut record = Value::from(schema_for!(Record));
+    let Some(types) = schema["$defs"].as_object_mut() else { return };
+    if let Some(own) = record.as_object_mut() {
+        own.remove("$schema");
+        if let Some(Value::Object(below)) = own.remove("$defs") {
+            types.extend(below);
+        }
+    }
+    types.insert("Record".into(), record);
+    if let Some(choices) = types.get_mut("Amplitude").and_then(|of| of["oneOf"].as_array_mut()) {
+        choices.push(json!({
+            "description": "Numbers by time in a file.",
+            "type": "object",
+            "properties": { "record": { "$ref": "#/$defs/Record" } },
+            "required": ["record"],
+            "additionalProperties": false
+        }));
     }
 }
 

@@ -4,6 +4,7 @@ pub use implicit_statics::{Branches, Damping as RelaxationDamping, Prebuckling, 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::combination::Combination;
 use super::levels::Levels;
 use crate::scene::bounded::{
     GradientIterations, Iterations, Modes, NotNegative, Positive, RelaxationIterations, RelaxedResidual,
@@ -30,8 +31,9 @@ pub struct Static {
     pub one_solve: bool,
 }
 
-/// The linear answer of the unloaded shell to the loads, or to the `moved` support, at level one.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+/// The linear answer of the unloaded shell to the loads, or to the `moved` support, at level one; with load cases (`case` of loads and motions) one
+/// to each, by one factor.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Linear {
     /// How the tangent is solved.
@@ -39,6 +41,9 @@ pub struct Linear {
     pub solver: LinearSolver,
     /// Iterations allowed to conjugate gradients; left out, 5000.
     pub iterations: Option<GradientIterations>,
+    /// Combinations of load cases, an answer each after those of the cases.
+    #[serde(default)]
+    pub combinations: Vec<Combination>,
 }
 
 /// How a linear answer is solved.

@@ -31,6 +31,8 @@ pub struct Support {
     pub turned: Option<Turned>,
     /// Springs along a direction to the ground or another set, or against turning.
     pub spring: Option<Spring>,
+    /// Load case to which its motion belongs, in a linear analysis; in the others the set stands still.
+    pub case: Option<String>,
     /// Course of a prescribed motion in time, in transient runs.
     pub amplitude: Option<Amplitude>,
     /// Whether its motion is made in full before the analysis and held: the level counts the other motions.

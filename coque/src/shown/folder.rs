@@ -46,6 +46,8 @@ pub struct Along<'a> {
     curve: &'a Curve,
     /// The column of the curve; none where frames are counted like its rows.
     column: Option<usize>,
+    /// Load cases and combinations in words, in the order of the rows; empty where there are none.
+    cases: Vec<String>,
 }
 
 impl<'a> Along<'a> {
@@ -55,13 +57,24 @@ impl<'a> Along<'a> {
         let columns = [Some(0), level].into_iter().flatten().filter(|&column| column < curve.columns.len());
         let known =
             |column: Option<usize>| frames.iter().filter(|&&at| row_of(curve, column, at).is_some()).count();
-        let mut best = Self { curve, column: columns.clone().next() };
+        let mut best = Self { curve, column: columns.clone().next(), cases: Vec::new() };
         for column in columns.map(Some).chain([None]) {
             if known(column) > known(best.column) {
                 best.column = column;
             }
         }
         best
+    }
+
+    /// The same with the names of the load cases that a summary has.
+    pub fn with_cases(mut self, summary: Option<&Value>) -> Self {
+        let all = summary.and_then(|summary| summary["cases"].as_array());
+        let words = |case: &Value| {
+            let kind = if case["combines"] == true { "combination" } else { "case" };
+            Some(format!("{kind} {}", case["name"].as_str()?))
+        };
+        self.cases = all.into_iter().flatten().filter_map(words).collect();
+        self
     }
 
     /// Whether the frames are modes.
@@ -85,7 +98,9 @@ impl<'a> Along<'a> {
             })
         };
         let of = |name: &str| said(name, *self.curve.column(name)?.get(self.row(along)?)?);
+        let case = || self.cases.get(self.row(along)?).cloned();
         match self.column {
+            _ if !self.cases.is_empty() => case(),
             _ if self.are_modes() => {
                 let size = of("frequency").or_else(|| of("level"))?;
                 Some(format!("mode {along}, {size}"))
@@ -134,6 +149,13 @@ mod tests {
         assert_eq!(said(modes, &[1.0, 2.0]), (vec![Some(0), Some(1)], Some("mode 2, 0.6366 Hz".into())));
         let buckling = "mode [-],level [-],residual [-]\n1.0,4.0,1e-12\n";
         assert_eq!(said(buckling, &[1.0]).1, Some("mode 1, level 4".into()));
+        let cases = "case [-],level [-]\n1.0,1.0\n2.0,1.0\n";
+        assert_eq!(said(cases, &[1.0, 2.0]), (vec![Some(0), Some(1)], Some("case 2".into())));
+        let summary =
+            serde_json::json!({ "cases": [{ "name": "dead" }, { "name": "uls", "combines": true }] });
+        let curve: Curve = cases.parse().unwrap();
+        let named = Along::of(&curve, &[1.0, 2.0]).with_cases(Some(&summary));
+        assert_eq!([1.0, 2.0].map(|at| named.words(at).unwrap()), ["case dead", "combination uls"]);
         // A run under way: the row of the last frame is not there yet.
         assert_eq!(said("time [s],level [-]\n0.0,1.0\n", &[0.0, 0.1]).0, [Some(0), None]);
     }

@@ -75,7 +75,7 @@ impl RunPage {
         reload: Option<f64>,
     ) -> Result<String, String> {
         let keys: toml::Table = scene.parse().unwrap_or_default();
-        let along = Along::of(&curve, &self.places);
+        let along = Along::of(&curve, &self.places).with_cases(summary);
         let words = |at: f64| along.words(at).unwrap_or_else(|| format!("at {}", short(at)));
         let instant = |&at: &f64| Instant { along: at, label: words(at), row: along.row(at) };
         let frames = self.places.iter().map(instant).collect();

@@ -8,6 +8,7 @@ mod chain;
 mod common;
 
 mod at_rest;
+mod base;
 mod history;
 mod own_body;
 mod prescribed;

@@ -38,6 +38,7 @@ fn transient() -> Analysis {
         duration: Positive::new(400.0).unwrap(),
         record_every: Positive::new(10.0).unwrap(),
         damping: NotNegative::new(0.25).unwrap(),
+        base: None,
     };
     Analysis::Explicit(Explicit {
         safety: Safety::new(0.5).unwrap(),

@@ -11,6 +11,7 @@ mod strip;
 
 mod branches;
 mod buckling;
+mod cases;
 mod conjugate_gradients;
 mod enclosed;
 mod given;

@@ -89,13 +89,13 @@ fn a_scene_of_several_files_is_that_of_one() {
     let (whole, of_files) = (Scene::parse(WHOLE, "whole.toml").unwrap(), read(&folder).unwrap());
     assert_eq!(said(&whole), said(&of_files));
     let file = folder.join("strip.toml").display().to_string();
-    let text = Scene::whole_text(FILES[0].1, &file).unwrap();
+    let text = Scene::whole_text(FILES[0].1, &file, &[]).unwrap();
     assert!(text.contains("[parameters]\nt = 0.1\n") && !text.contains("include ="), "{text}");
     let again = Scene::parse(&text, "elsewhere/strip.toml").unwrap();
     assert_eq!(said(&whole), said(&again));
     assert_eq!(ran(Ok(whole)).curve, ran(Ok(of_files)).curve);
     // Without files a text is itself.
-    assert_eq!(Scene::whole_text(WHOLE, "whole.toml").unwrap(), WHOLE);
+    assert_eq!(Scene::whole_text(WHOLE, "whole.toml", &[]).unwrap(), WHOLE);
 }
 
 /// A mesh that an included file names lies beside that file.
@@ -113,7 +113,7 @@ fn files_are_named_from_where_they_are_named() {
         scene.as_shell().unwrap().geometry.mesh().unwrap().file.clone()
     };
     assert_eq!(mesh(&text), "stock/plate.obj");
-    assert_eq!(mesh(&Scene::whole_text(&text, &file).unwrap()), "stock/plate.obj");
+    assert_eq!(mesh(&Scene::whole_text(&text, &file, &[]).unwrap()), "stock/plate.obj");
 }
 
 #[test]
@@ -165,7 +165,7 @@ fn the_copy_of_a_scene_needs_none_of_its_files() {
 #[test]
 fn a_run_goes_on_without_the_files_of_its_scene() {
     let folder = folder("resumed");
-    let text = Scene::whole_text(FILES[0].1, &folder.join("strip.toml").display().to_string()).unwrap();
+    let text = Scene::whole_text(FILES[0].1, &folder.join("strip.toml").display().to_string(), &[]).unwrap();
     fs::remove_dir_all(&folder).unwrap();
     stopped_again_and_again("included", &text, &[("analysis.static.levels", "8")], 2);
 }

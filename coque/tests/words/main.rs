@@ -1,4 +1,4 @@
-//! What a scene may say: sets made of sets, parameters, amounts, files that it includes.
+//! What a scene may say: sets made of sets, parameters, amounts, files that it includes, records.
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
@@ -9,4 +9,5 @@ mod strip;
 
 mod includes;
 mod parameters;
+mod records;
 mod sets_of_sets;

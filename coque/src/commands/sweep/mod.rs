@@ -83,7 +83,7 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let Some(path) = &sweep.scene else { return Ok(BAD_INPUT) };
     let file = path.display().to_string();
     let text = read_text(path).map_err(|e| format!("cannot read {file}: {e}\n"))?;
-    let text = Scene::whole_text(&text, &file).map_err(|e| Refused::scene(&e))?;
+    let text = Scene::whole_text(&text, &file, &sweep.replaced).map_err(|e| Refused::scene(&e))?;
     let runs = combinations(&sweep.over)?;
     let stem = path.file_stem().unwrap_or("scene".as_ref()).to_string_lossy();
     let out = sweep.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{stem}-sweep")));

@@ -1,5 +1,6 @@
 //! Checks of the analysis that need no particles.
 
+use super::base::check_base;
 use super::harmonic::check_harmonic;
 use crate::scene::analysis::{Analysis, Damping, Explicit};
 use crate::scene::body_in_scene::BodyInScene;
@@ -39,7 +40,7 @@ pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
     if kind.wants_driver && !scene.together { check_driver(scene) } else { Ok(()) }
 }
 
-fn check_linear(scene: &BodyInScene<'_>, Linear { solver, iterations }: &Linear) -> Verdict {
+fn check_linear(scene: &BodyInScene<'_>, Linear { solver, iterations, .. }: &Linear) -> Verdict {
     let at = "analysis.linear.iterations";
     if let (LinearSolver::Direct, Some(iterations)) = (solver, iterations) {
         let bound = "left out where the solver is \"direct\": a factor does not iterate";
@@ -94,7 +95,7 @@ fn check_explicit(scene: &BodyInScene<'_>, explicit: &Explicit) -> Verdict {
     let known = ["quasi-static", "transient"];
     let mut given = Vec::new();
     given.extend(explicit.quasi_static.as_ref().map(|_| known[0]));
-    given.extend(explicit.transient.map(|_| known[1]));
+    given.extend(explicit.transient.as_ref().map(|_| known[1]));
     s.exactly_one("analysis.explicit", "table", &given, &known)?;
     if let Some(path) = &explicit.quasi_static {
         let at = |key: &str| format!("analysis.explicit.quasi-static.{key}");
@@ -114,7 +115,10 @@ fn check_explicit(scene: &BodyInScene<'_>, explicit: &Explicit) -> Verdict {
             s.positive(&at("damping.ratio"), ratio)?;
         }
     }
-    if let Some(run) = explicit.transient {
+    if let Some(run) = &explicit.transient {
+        if let Some(base) = &run.base {
+            check_base(scene, base, run.duration.get())?;
+        }
         let (duration, every) = (run.duration.get(), run.record_every.get());
         if every > duration || duration / every > MOST_RECORDS {
             let bound = format!("at most the duration, and at least its {MOST_RECORDS:e}th part");

@@ -227,7 +227,7 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
     let s = &scene.scope();
     let phases = phases(scene);
     let mut names: BTreeSet<&str> =
-        scene.analysis.columns().chain(phases.iter().map(String::as_str)).collect();
+        scene.scene.first_columns().chain(phases.iter().map(String::as_str)).collect();
     for probe in &scene.curve {
         check_column_name(s, &probe.at("name"), &probe.name, &mut names)?;
         check_set_name(scene, &probe.at("on"), probe.on)?;
@@ -243,6 +243,11 @@ pub(super) fn check_curve(scene: &BodyInScene<'_>) -> Verdict {
         check_unit(scene, probe)?;
     }
     check_stress_fields(scene)?;
+    if scene.output.over_time && !scene.analysis.kind().passes_time {
+        let bound = format!("false in {}: no time passes", scene.analysis.kind().name);
+        let repair = "remove it, or use [analysis.explicit.transient]";
+        return Err(SceneError::Choice(s.fault("output.over_time", "true", &bound, repair)));
+    }
     if scene.output.fields.is_some_and(|fields| fields.every == 0) {
         return Err(s.value("output.fields.every", 0, "1 or more", "1 writes every frame"));
     }

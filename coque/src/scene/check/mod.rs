@@ -2,6 +2,8 @@
 
 mod amplitude;
 mod analysis;
+mod base;
+mod cases;
 mod conditions;
 mod contact;
 mod curve;
@@ -25,6 +27,7 @@ mod together;
 mod tools;
 
 use self::analysis::check_analysis;
+use self::cases::check_cases;
 use self::conditions::{check_load, check_support};
 use self::contact::check_contact;
 use self::curve::check_curve;
@@ -56,9 +59,10 @@ pub(super) fn check(scene: &Scene) -> Verdict {
     check_contact(scene)?;
     check_glue(scene)?;
     match scene.is_together() {
-        true => check_together(scene),
-        false => check_alone(&BodyInScene::new(scene, name, body)?),
+        true => check_together(scene)?,
+        false => check_alone(&BodyInScene::new(scene, name, body)?)?,
     }
+    check_cases(scene)
 }
 
 /// The first body by name, with all that the scene says of it.

@@ -241,7 +241,7 @@ fn check_columns_together(scene: &Scene) -> Verdict {
     let s = &scene.scope();
     let forces = scene.curve.iter().filter(|probe| probe.of.has_mean());
     let means: Vec<String> = forces.map(|probe| mean_of(&probe.name)).collect();
-    let always = scene.analysis.columns();
+    let always = scene.first_columns();
     let mut names: BTreeSet<&str> = always.chain(means.iter().map(String::as_str)).collect();
     for (i, probe) in scene.curve.iter().enumerate() {
         check_column_name(s, &format!("curve[{i}].name"), &probe.name, &mut names)?;

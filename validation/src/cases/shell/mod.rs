@@ -5,6 +5,7 @@ mod buckling;
 mod cantilever_end_shear;
 mod cantilever_shaken;
 mod clamped_cap;
+mod deck_in_quake;
 mod external_pressure;
 mod heat;
 mod heavy_end;
@@ -38,6 +39,7 @@ mod thin_ring;
 mod tubes;
 mod turned;
 mod twisted_beam;
+mod two_span_cases;
 
 use super::family;
 use crate::Case;
@@ -64,6 +66,7 @@ pub fn all() -> Vec<Case> {
             bracket::case(),
             heavy_end::case(),
             cantilever_shaken::case(),
+            deck_in_quake::case(),
         ],
     ));
     cases.extend(family(
@@ -77,6 +80,7 @@ pub fn all() -> Vec<Case> {
             heat::case(),
             sandwich_panel::case(),
             ply_strength::case(),
+            two_span_cases::case(),
             joined_cantilevers::case(),
         ],
     ));

@@ -1,0 +1,118 @@
+//! Load cases: which loads and motions act together, combinations of cases with factors, and the scene under one of them.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::analysis::Analysis;
+use super::checked::Checked;
+use super::combination::Combination;
+use super::loads::Load;
+use super::problem::Scene;
+use super::supports::Support;
+
+/// The column of the curve that has the number of a case or combination, from 1.
+pub(crate) const CASE: &str = "case";
+
+/// A load case, or a combination of them: what an answer is to.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LoadSet {
+    /// Its name.
+    pub name: String,
+    /// Whether it is a combination.
+    pub combines: bool,
+    /// Factor of each case that acts, by its name \[–\].
+    pub of: BTreeMap<String, f64>,
+}
+
+impl Scene {
+    /// Names of the load cases, in the order in which loads, then supports, first name them.
+    pub fn cases(&self) -> Vec<&str> {
+        let loads = self.loads.iter().filter_map(|load| load.case.as_deref());
+        let motions = self.supports.iter().filter_map(|support| support.case.as_deref());
+        let mut found = Vec::new();
+        for name in loads.chain(motions) {
+            if !found.contains(&name) {
+                found.push(name);
+            }
+        }
+        found
+    }
+
+    /// Columns that every curve of the scene has.
+    pub(crate) fn first_columns<'a>(&self) -> impl Iterator<Item = &'a str> + use<'a> {
+        let case = (!self.cases().is_empty()).then_some(CASE);
+        case.into_iter().chain(self.analysis.columns())
+    }
+
+    /// Combinations of load cases, as the scene has them.
+    pub fn combinations(&self) -> &[Combination] {
+        if let Analysis::Linear(wanted) = &self.analysis { &wanted.combinations } else { &[] }
+    }
+
+    /// Load cases, then combinations: an answer each. Empty in a scene without cases.
+    pub fn load_sets(&self) -> Vec<LoadSet> {
+        let case =
+            |name: &str| LoadSet { name: name.into(), combines: false, of: [(name.to_string(), 1.0)].into() };
+        let combined =
+            |own: &Combination| LoadSet { name: own.name.clone(), combines: true, of: own.of.clone() };
+        let cases = self.cases().into_iter().map(case);
+        cases.chain(self.combinations().iter().map(combined)).collect()
+    }
+}
+
+impl Checked {
+    /// The scene under some load cases: loads times the factors of their cases, loads of other cases left out, motions of other cases standing still.
+    pub(crate) fn under(&self, set: &LoadSet) -> Self {
+        let factor = |case: &Option<String>| match case {
+            Some(name) => set.of.get(name).copied(),
+            None => Some(1.0),
+        };
+        let mut scene = self.clone().into_scene();
+        scene.is_load_set = true;
+        scene.loads.retain(|load| factor(&load.case).is_some());
+        scene.loads.iter_mut().for_each(|load| scale_load(load, factor(&load.case).unwrap_or_default()));
+        for support in &mut scene.supports {
+            scale_motion(support, factor(&support.case).unwrap_or_default());
+        }
+        Self::made_of(scene)
+    }
+}
+
+/// A load times a factor; what cells enclose has no case.
+fn scale_load(load: &mut Load, by: f64) {
+    let all = |v: &mut [f64]| v.iter_mut().for_each(|x| *x *= by);
+    if let Some(force) = &mut load.force {
+        all(&mut force.total);
+    }
+    if let Some(couple) = &mut load.couple {
+        couple.moment *= by;
+    }
+    if let Some(pressure) = &mut load.pressure {
+        pressure.value = Some(by * pressure.value());
+    }
+    if let Some(gravity) = &mut load.gravity {
+        all(&mut gravity.acceleration);
+    }
+    if let Some(traction) = &mut load.traction {
+        all(&mut traction.value);
+    }
+    if let Some(heat) = &mut load.temperature {
+        for x in [&mut heat.change, &mut heat.difference].into_iter().flatten() {
+            *x *= by;
+        }
+    }
+}
+
+/// A prescribed motion times a factor.
+fn scale_motion(support: &mut Support, by: f64) {
+    if let Some(moved) = &mut support.moved {
+        moved.by *= by;
+    }
+    if let Some(rotated) = &mut support.rotated {
+        rotated.by *= by;
+    }
+    if let Some(turned) = &mut support.turned {
+        turned.by *= by;
+    }
+}
