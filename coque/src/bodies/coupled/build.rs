@@ -41,6 +41,7 @@ pub(in crate::bodies) fn coupled_model(
         wets.extend(wet(body, wanted, threads)?.map(|wet| (body.name, wet)));
     }
     let mut fluid = coupled_fluid(of_fluid, wanted, &walls, &wets, threads)?;
+    let left_out = places::places(wanted).len() - fluid.len();
     let safety = if let Analysis::Explicit(explicit) = &scene.analysis { explicit.safety.get() } else { 1.0 };
     let step = fluid.stable_step(safety).map_or(0.0, |step| step.dt);
     let liquid = wanted.liquid();
@@ -63,6 +64,10 @@ pub(in crate::bodies) fn coupled_model(
         probes(measuring, own)?
     };
     let mut description = describe::of_fluid(of_fluid, wanted, &fluid);
+    if left_out > 0 {
+        let line = format!("{left_out} particles of the geometry left out, inside of rigid bodies");
+        description.modelled.push(line);
+    }
     let mut warnings = leaks(&walls);
     let coupling = scene.coupling.unwrap_or_default();
     warnings.extend(fluid_first(coupling));
@@ -141,7 +146,8 @@ fn coupled_fluid(
     wets: &[(&str, WettedBody<'_>)],
     threads: usize,
 ) -> Result<Fluid, SceneError> {
-    let positions = places::places(wanted);
+    let mut positions = places::places(wanted);
+    positions.retain(|place| !wets.iter().any(|(_, wet)| wet.encloses(place)));
     let velocities = places::velocities(wanted, &positions);
     let wall = |body: &BuiltWalls<'_>, points: &[Vec3]| Wall {
         points: points.to_vec(),

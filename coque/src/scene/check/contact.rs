@@ -120,15 +120,18 @@ fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     Ok(())
 }
 
-/// Walls are tools of shells and solids: basins and blocks, which stand or move without turning.
+/// Walls are tools of shells, solids and rigid bodies: basins and blocks, which stand or move without turning.
 fn check_walls(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     let path = format!("contact[{number}].between");
     for (name, other) in [(&between[0], &between[1]), (&between[1], &between[0])] {
         let Some(BodyScene::Walls(walls)) = scene.bodies.get(name) else { continue };
-        if !matches!(scene.bodies.get(other), Some(BodyScene::Shell(_) | BodyScene::Solid(_))) {
+        if !matches!(
+            scene.bodies.get(other),
+            Some(BodyScene::Shell(_) | BodyScene::Solid(_) | BodyScene::Rigid(_))
+        ) {
             let bound =
-                format!("a shell or a solid beside the walls `{name}`: other bodies do not touch walls");
-            let repair = "name a shell or a solid, or leave the contact out";
+                format!("a shell, a solid or a rigid body beside the walls `{name}`: walls do not touch walls");
+            let repair = "name a shell, a solid or a rigid body, or leave the contact out";
             return refuse(scene, &path, &format!("\"{other}\""), &bound, repair);
         }
         if !matches!(walls.geometry, WallGeometry::Basin(_) | WallGeometry::Block(_)) {

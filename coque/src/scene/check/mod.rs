@@ -22,6 +22,7 @@ mod shell;
 mod solid;
 mod together;
 mod tools;
+mod wet_rigid;
 
 use self::analysis::check_analysis;
 use self::conditions::{check_load, check_support};
