@@ -20,6 +20,9 @@ pub enum Amplitude {
     Sine {
         /// Period \[T\].
         period: f64,
+        /// Time in which it grows to its size, by the factor of `smooth`; left out, none \[T\].
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        growth: Option<f64>,
     },
 }
 
@@ -30,7 +33,10 @@ impl Amplitude {
             Self::Constant => 1.0,
             Self::Ramp(duration) => (time / duration).clamp(0.0, 1.0),
             Self::Smooth(duration) => smooth(time / duration),
-            Self::Sine { period } => libm::sin(std::f64::consts::TAU * time / period),
+            Self::Sine { period, growth } => {
+                let sine = libm::sin(std::f64::consts::TAU * time / period);
+                growth.map_or(sine, |growth| sine * smooth(time / growth))
+            }
             Self::Table(points) => table(points, time),
         }
     }
@@ -62,8 +68,10 @@ mod tests {
         assert_eq!(Amplitude::Ramp(2.0).value(5.0), 1.0);
         assert_eq!(Amplitude::Smooth(2.0).value(1.0), 0.5);
         for (time, value) in [(1.0, 1.0), (2.0, 0.0), (3.0, -1.0)] {
-            assert!((Amplitude::Sine { period: 4.0 }.value(time) - value).abs() < 1e-15);
+            assert!((Amplitude::Sine { period: 4.0, growth: None }.value(time) - value).abs() < 1e-15);
         }
+        let grown = Amplitude::Sine { period: 4.0, growth: Some(2.0) };
+        assert!((grown.value(1.0) - 0.5).abs() < 1e-15 && (grown.value(5.0) - 1.0).abs() < 1e-14);
         let table = Amplitude::Table(vec![[1.0, 2.0], [3.0, 6.0]]);
         assert_eq!([0.0, 1.0, 2.0, 3.0, 9.0].map(|t| table.value(t)), [2.0, 2.0, 4.0, 6.0, 6.0]);
     }

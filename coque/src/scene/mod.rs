@@ -52,6 +52,7 @@ mod touched_walls;
 pub(crate) mod units;
 mod velocity;
 mod walls;
+mod waves;
 
 pub use analysis::{Analysis, Damping, Explicit, QuasiStatic, Transient};
 pub use analysis_kind::{ANALYSES, AnalysisKind, Contacts};
@@ -118,3 +119,4 @@ pub use walls::{
     Basin, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface, WallTranslation,
     WallsScene,
 };
+pub use waves::{Beach, WallWaves};

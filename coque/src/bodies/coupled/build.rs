@@ -149,9 +149,10 @@ fn coupled_fluid(
     let mut positions = places::places(wanted);
     positions.retain(|place| !wets.iter().any(|(_, wet)| wet.encloses(place)));
     let velocities = places::velocities(wanted, &positions);
+    let gravity = gravity_on(scene.scene, scene.name);
     let wall = |body: &BuiltWalls<'_>, points: &[Vec3]| Wall {
         points: points.to_vec(),
-        motion: body.scene.motion.as_ref().map(parts::motion),
+        motion: body.scene.motion.as_ref().map(|motion| parts::motion(motion, &gravity)),
     };
     let pieces = walls.iter().flat_map(|body| body.rows.pieces.iter().map(|piece| wall(body, &piece.points)));
     let structure = |(_, wet): &(&str, WettedBody<'_>)| {
@@ -166,14 +167,18 @@ fn coupled_fluid(
         velocities,
         liquid: parts::liquid(wanted),
         formulation: parts::formulation(wanted),
-        gravity: gravity_on(scene.scene, scene.name),
+        gravity,
         start: wanted.formulation.options().start,
         walls: pieces.collect(),
         structures: wets.iter().map(structure).collect(),
         domain: None,
         threads: threads.max(1),
     };
-    Fluid::new(all).map_err(|error| fluid_refusal(scene, wanted, &error))
+    let mut fluid = Fluid::new(all).map_err(|error| fluid_refusal(scene, wanted, &error))?;
+    if let Some(beach) = &wanted.beach {
+        fluid.absorb(parts::beach(beach, &gravity));
+    }
+    Ok(fluid)
 }
 
 /// Puts a refusal of the fluid where the scene causes it.
@@ -232,7 +237,7 @@ impl CoupledParts {
 /// By piece of a body of walls, the first of which has this number: what it has of corners, less what is counted with its particles.
 fn shares(body: &BuiltWalls<'_>, first: usize) -> Vec<Vec<Share>> {
     let rows = &body.rows;
-    let turns = body.scene.motion.as_ref().is_some_and(|motion| motion.rotation.is_some());
+    let turns = body.scene.turns();
     let of = |piece: usize| {
         let corners =
             rows.corners.iter().filter(move |corner| corner.sides.iter().any(|side| side.0 == piece));

@@ -139,7 +139,12 @@ fn check_walls(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
             let repair = "give the other body tools of the same shape, [[bodies.NAME.shell.tools]]";
             return refuse(scene, &path, &format!("\"{name}\""), bound, repair);
         }
-        if walls.motion.as_ref().is_some_and(|motion| motion.rotation.is_some()) {
+        if walls.motion.as_ref().is_some_and(|motion| motion.waves.is_some()) {
+            let bound = "walls that stand, or move by `translation`";
+            let repair = "leave the contact out, or give the motion by `translation`";
+            return refuse(scene, &path, &format!("\"{name}\", which makes waves"), bound, repair);
+        }
+        if walls.turns() {
             let bound = "walls that stand, or move without turning";
             let repair = "leave the rotation out, or the contact";
             return refuse(scene, &path, &format!("\"{name}\", which turns"), bound, repair);

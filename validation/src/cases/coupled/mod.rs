@@ -4,6 +4,7 @@
 mod baffle;
 mod clamped_strip;
 pub mod column;
+mod floating_box;
 mod gate;
 mod gate_alone;
 pub mod measure;
@@ -35,6 +36,7 @@ pub fn all() -> Vec<Case> {
         scenes::case(),
         source_settings::case(),
         sprung_floor::case(),
+        floating_box::case(),
         finer::leaning_wall(measure::SHELL),
     ]
 }
