@@ -103,7 +103,8 @@ impl Grid {
         let pulled: Vec<f64> = heights.iter().map(|height| -self.gravity * height).collect();
         let pressed = self.on_box(&self.potential(&pulled, 0.0), 0.0);
         let force = -pressed - self.gravity * 0.5 * self.breadth * place;
-        let up = self.surface.iter().zip(potentials).map(|(&own, value)| 2.0 * (value - field[own]) / self.cell);
+        let up =
+            self.surface.iter().zip(potentials).map(|(&own, value)| 2.0 * (value - field[own]) / self.cell);
         let last = [velocity, force / (self.displaced + self.added)];
         up.chain(pulled.iter().copied()).chain(last).collect()
     }
@@ -200,8 +201,7 @@ impl Banded {
 
     fn solve(&self, x: &mut [f64]) {
         for i in 0..self.size {
-            let done: f64 =
-                (i.saturating_sub(self.width)..i).map(|k| self.rows[self.at(i, k)] * x[k]).sum();
+            let done: f64 = (i.saturating_sub(self.width)..i).map(|k| self.rows[self.at(i, k)] * x[k]).sum();
             x[i] = (x[i] - done) / self.rows[self.at(i, i)];
         }
         for i in (0..self.size).rev() {

@@ -46,7 +46,8 @@ mod tests {
         assert_eq!([0.0, 1.0, 9.0].map(|x| beach.rate([x, 5.0, 0.0])), [0.0, 0.0, strength]);
         // Its way there and back at the group velocity, in each of which half of β is lost.
         let (steps, step) = (3000, 1e-3);
-        let lost: f64 = (0..steps).map(|i| beach.rate([1.0 + (f64::from(i) + 0.5) * step, 0.0, 0.0]) * step / 1.5).sum();
+        let lost: f64 =
+            (0..steps).map(|i| beach.rate([1.0 + (f64::from(i) + 0.5) * step, 0.0, 0.0]) * step / 1.5).sum();
         assert!((libm::exp(-lost) - 0.02).abs() < 1e-6);
     }
 }

@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use explicit_dynamics::{BoundaryDriven, BoundaryState};
 use sph_core::Vec3;
 
+use crate::beach::Beach;
 use crate::boundary::points::Boundary;
 use crate::cells::Grid;
 use crate::continuity::{Continuity, Diffusion};
 use crate::error::FluidError;
-use crate::beach::Beach;
 use crate::formulation::Formulation;
 use crate::kernel::Wendland;
 use crate::ledger::{Ledger, Sums};

@@ -141,5 +141,5 @@ pub use flux::Section;
 pub use formulation::{Formulation, Scheme, WallRule};
 pub use lattice::lattice_moduli;
 pub use liquid::Liquid;
-pub use waves::Waves;
 pub use parts::{Motion, Parts, Rotation, Start, Structure, Wall};
+pub use waves::Waves;

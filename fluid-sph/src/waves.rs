@@ -104,7 +104,8 @@ mod tests {
             let (k, steps) = (std::f64::consts::TAU / own.length(), 20_000);
             let step = depth / f64::from(steps);
             let at = |i: i32| libm::cosh(k * (f64::from(i) + 0.5) * step);
-            let (first, square) = (0..steps).fold((0.0, 0.0), |(a, b), i| (a + at(i) * step, b + at(i) * at(i) * step));
+            let (first, square) =
+                (0..steps).fold((0.0, 0.0), |(a, b), i| (a + at(i) * step, b + at(i) * at(i) * step));
             // U = ½ω S of the piston has the part first/square of cosh; a wave of height H has ½ω H/sinh kd of it.
             let height = first / square * libm::sinh(k * depth);
             assert!((own.of_piston() / height - 1.0).abs() < 1e-6);

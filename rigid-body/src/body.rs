@@ -136,8 +136,7 @@ impl RigidBody {
 
     /// Lets a fluid wet it.
     pub fn wet(&mut self, points: &WetPoints) {
-        self.wetted =
-            Some(Surface::new(points, &self.rest[self.centre() as usize], &self.upright.axes()));
+        self.wetted = Some(Surface::new(points, &self.rest[self.centre() as usize], &self.upright.axes()));
     }
 
     /// Number of points that a fluid wets.

@@ -42,8 +42,7 @@ mod tests {
 
     #[test]
     fn a_place_is_inside_or_outside() {
-        let (box_of, round) =
-            (cuboid([0.0; 3], [1.0, 2.0, 3.0], 0.5), ball([5.0, 0.0, 0.0], 1.0, 0.4));
+        let (box_of, round) = (cuboid([0.0; 3], [1.0, 2.0, 3.0], 0.5), ball([5.0, 0.0, 0.0], 1.0, 0.4));
         for (place, inside) in [
             ([0.5, 0.5, 0.5], [true, false]),
             ([0.01, 1.99, 2.99], [true, false]),

@@ -37,34 +37,53 @@ fn apart(one: &Outcome, other: &Outcome, name: &str, factor: f64) -> f64 {
     one.iter().zip(&other).fold(0.0_f64, |most, (x, y)| most.max((x - factor * y).abs())) / most
 }
 
-/// Held under water it is lifted by the weight of the water that it displaces, 256 N/m; pressures of particles near its corners are off by some tenths of a
-/// per cent (.2 % measured at a depth of eight spacings).
+/// Held under water it is lifted by the weight of the water that it displaces, 256 N/m: .04 % measured here, .3 % in other tanks, where particles settle.
 #[test]
 fn a_body_that_is_held_is_lifted_by_what_it_displaces() {
-    let held = [DEEP[0], DEEP[1], DEEP[2], DEEP[3], (DURATION, "1.0"), ("supports", "[{ on = 'float.all', clamped = {} }]")];
+    let held = [
+        DEEP[0],
+        DEEP[1],
+        DEEP[2],
+        DEEP[3],
+        (DURATION, "1.0"),
+        ("supports", "[{ on = 'float.all', clamped = {} }]"),
+    ];
     let outcome = afloat(&held);
     let lift = mean(&outcome, "lift", 30);
-    assert!((lift / 256.0 - 1.0).abs() < 0.006, "{lift}");
-    // What holds it bears the difference to its weight, over its width of .08 m.
-    let line = |line: &String| line.contains("40 particles of the geometry left out") || line.contains("64 particles");
+    assert!((lift / 256.0 - 1.0).abs() < 0.005, "{lift}");
+    let line = |line: &String| line.contains("64 particles of the geometry left out");
     assert!(outcome.summary.body.modelled.iter().any(line), "{:?}", outcome.summary.body.modelled);
 }
 
-/// A body as dense as water stays where it is, to the settling of particles: .007 spacings measured.
+/// A body as dense as water stays where it is, to the settling of particles: .004 spacings measured.
 #[test]
 fn a_body_of_waters_density_stays_where_it_is() {
-    let outcome = afloat(&[DEEP[0], DEEP[1], DEEP[2], DEEP[3], (DURATION, "0.4"), ("bodies.float.rigid.density", "1000.0")]);
+    let outcome = afloat(&[
+        DEEP[0],
+        DEEP[1],
+        DEEP[2],
+        DEEP[3],
+        (DURATION, "0.4"),
+        ("bodies.float.rigid.density", "1000.0"),
+    ]);
     for name in ["x", "y"] {
         assert!(column(&outcome, name).iter().all(|way| way.abs() < 0.02 * 0.02), "{name}");
     }
 }
 
 /// Let go under water, bodies from a tenth of its density to four times sink or rise by `(m − ρV) g/(m + a)`: with the one added mass a. From the way in .06 s;
-/// that of a square is 1.19 ρV without walls, which are near here, and the layers of friction about it add to that (1.35 to 1.47 measured).
+/// that of a square is 1.19 ρV without walls, which are near here, and the layers of friction about it add to that: 1.33 to 1.36 measured.
 #[test]
 fn all_densities_find_the_same_added_mass() {
     let added = |density: &str| {
-        let outcome = afloat(&[DEEP[0], DEEP[1], DEEP[2], DEEP[3], (DURATION, "0.06"), ("bodies.float.rigid.density", density)]);
+        let outcome = afloat(&[
+            DEEP[0],
+            DEEP[1],
+            DEEP[2],
+            DEEP[3],
+            (DURATION, "0.06"),
+            ("bodies.float.rigid.density", density),
+        ]);
         let acceleration = -2.0 * last(&outcome, "y") / (0.06 * 0.06);
         let ratio: f64 = density.parse::<f64>().unwrap() / 1000.0;
         (ratio - 1.0) * 10.0 / acceleration - ratio
@@ -72,7 +91,7 @@ fn all_densities_find_the_same_added_mass() {
     let found = ["100.0", "500.0", "2000.0", "4000.0"].map(added);
     let mean = found.iter().sum::<f64>() / 4.0;
     assert!(mean > 1.19 && mean < 1.6, "{found:?}");
-    assert!(found.iter().all(|own| (own / mean - 1.0).abs() < 0.08), "{found:?}");
+    assert!(found.iter().all(|own| (own / mean - 1.0).abs() < 0.06), "{found:?}");
 }
 
 /// A jet hits a body in flight: momentum and moment of momentum of both stay what they were. One step of the body in one of the water.
@@ -84,7 +103,11 @@ fn momentum_goes_from_the_water_to_the_body() {
     for (axis, start) in [("u", 2.0 * water), ("v", 0.0)] {
         let [of_water, of_body] = [format!("{axis}_water"), format!("{axis}_body")].map(|name| at(&name));
         for (a, b) in of_water.iter().zip(&of_body).skip(1) {
-            assert!((water * a + body * b - start).abs() < 1e-12 * 2.0 * water, "{axis}: {}", water * a + body * b - start);
+            assert!(
+                (water * a + body * b - start).abs() < 1e-12 * 2.0 * water,
+                "{axis}: {}",
+                water * a + body * b - start
+            );
         }
     }
     let turned = at("roll").last().copied().unwrap();
@@ -119,10 +142,10 @@ fn a_light_body_swings_and_gains_nothing() {
     assert!(figures.most_substeps > 5, "{}", figures.most_substeps);
     let balance = record.balance.as_ref().unwrap();
     assert!(balance.worst.abs() < 0.02 * balance.turned_over, "{balance:?}");
-    assert!(column(&outcome, "y").iter().all(|y| y.abs() < 0.12));
+    assert!(column(&outcome, "y").iter().all(|y| y.abs() < 0.15));
 }
 
-/// It falls to the floor, which the contact gives a coat to press on, and rests on it by what the water does not bear.
+/// It falls to the floor, which its coat presses on, and lets no water below it: what bears it there is its weight and what the water presses on it.
 #[test]
 fn a_heavy_body_rests_on_the_floor() {
     let heavy = [
@@ -132,15 +155,13 @@ fn a_heavy_body_rests_on_the_floor() {
         ("bodies.float.rigid.coat", "{ young = 1e5, thickness = 0.004 }"),
         ("contact", "[{ between = ['float', 'tank'] }]"),
         ("curve[+]", "{ name = 'C', of = 'contact-force', on = 'float.all', direction = [0, 1, 0] }"),
-        ("analysis.explicit.damping", "{ rate = 10.0 }"),
         (DURATION, "1.0"),
     ];
-    let outcome = afloat(&heavy[..6]);
-    assert!(outcome.summary.record.warnings.is_empty(), "{:?}", outcome.summary.record.warnings);
-    let outcome = afloat(&[heavy[0], heavy[1], heavy[2], heavy[3], heavy[4], heavy[5], heavy[7]]);
-    let submerged = (2500.0 - 1000.0) * 10.0 * 0.16 * 0.08 * 0.08;
-    let borne = mean(&outcome, "C", 50);
-    assert!((borne / submerged - 1.0).abs() < 0.03, "{borne} {submerged}");
+    let outcome = afloat(&heavy);
+    let [borne, lift] = ["C", "lift"].map(|name| mean(&outcome, name, 50));
+    let (weight, width) = (2500.0 * 10.0 * 0.16 * 0.08 * 0.08, 0.08);
+    assert!(borne > weight, "the water presses on it: {borne}");
+    assert!((borne / (weight - width * lift) - 1.0).abs() < 0.02, "{borne} {weight} {lift}");
     assert!((last(&outcome, "y") + 0.04).abs() < 0.005, "{}", last(&outcome, "y"));
 }
 
@@ -151,7 +172,10 @@ fn mirrored_it_is_the_same() {
         afloat(&[]),
         afloat(&[
             (BOX, "{ min = [0.28, 0.14, -0.04], max = [0.44, 0.26, 0.04], spacing = 0.04 }"),
-            (VELOCITY, "{ linear = [-0.2, 0.0, 0.0], spin = { axis = [0, 0, 1], point = [0.36, 0.2, 0.0], rate = -2.0 } }"),
+            (
+                VELOCITY,
+                "{ linear = [-0.2, 0.0, 0.0], spin = { axis = [0, 0, 1], point = [0.36, 0.2, 0.0], rate = -2.0 } }",
+            ),
         ]),
     );
     for (name, factor) in [("x", -1.0), ("y", 1.0), ("roll", -1.0), ("lift", 1.0)] {
@@ -173,7 +197,10 @@ fn in_other_units_it_is_the_same() {
         ("bodies.tank.walls.geometry.basin", "{ min = [0.0, 0.0], max = [600.0, 400.0], open = ['y1'] }"),
         (BOX, "{ min = [160.0, 140.0, -40.0], max = [320.0, 260.0, 40.0], spacing = 40.0 }"),
         ("bodies.float.rigid.density", "500e-12"),
-        (VELOCITY, "{ linear = [200.0, 0.0, 0.0], spin = { axis = [0, 0, 1], point = [240.0, 200.0, 0.0], rate = 2.0 } }"),
+        (
+            VELOCITY,
+            "{ linear = [200.0, 0.0, 0.0], spin = { axis = [0, 0, 1], point = [240.0, 200.0, 0.0], rate = 2.0 } }",
+        ),
     ];
     let (one, other) = (afloat(&[]), afloat(&scaled));
     for (name, factor) in [("x", 1e-3), ("y", 1e-3), ("roll", 1.0), ("lift", 1e3)] {
@@ -218,9 +245,39 @@ fn whichever_is_first_it_is_the_same() {
     }
 }
 
+/// Moored by a spring to the ground, to a body that is held, or to one that is moved by nothing: the first two are the same to rounding; between two that are free
+/// the spring gives each what it takes of the other.
+#[test]
+fn a_spring_to_a_body_that_is_held_is_one_to_the_ground() {
+    let post = "[bodies.post.rigid]\ngeometry.box = { min = [0.4, 0.14, -0.04], max = [0.5, 0.26, 0.04], spacing = 0.1 }\ndensity = 400.0\n";
+    let with_post = AFLOAT.to_string() + post;
+    let spring = |to: &str| {
+        format!("{{ on = 'float.all', spring = {{ direction = [1, 0, 0], stiffness = 50.0{to} }} }}")
+    };
+    let held = "{ on = 'post.all', clamped = {} }";
+    let to_ground = format!("[{}, {held}]", spring(""));
+    let to_post = format!("[{}, {held}]", spring(", to = 'post.all'"));
+    let moored = |supports: &str| ran(overridden(&with_post, "moored.toml", &[("supports", supports)]));
+    let [ground, body] = [&to_ground, &to_post].map(|supports| moored(supports));
+    for name in ["x", "y", "roll"] {
+        let off = apart(&ground, &body, name, 1.0);
+        assert!(off < 1e-7, "{name}: {off:e}");
+    }
+    let loose = ran(overridden(&with_post, "moored.toml", &[("supports", &format!("[{held}]"))]));
+    let [drifted, kept] = [&loose, &body].map(|outcome| last(outcome, "x"));
+    assert!(kept < 0.9 * drifted, "{kept} {drifted}");
+    let springs = |line: &String| line.contains("springs between bodies: 1");
+    assert!(body.summary.body.modelled.iter().any(springs));
+}
+
 #[test]
 fn runs_go_on_to_the_same_bits() {
-    stopped_again_and_again("afloat", AFLOAT, &[(DURATION, "0.05"), ("bodies.float.rigid.density", "100.0")], 3);
+    stopped_again_and_again(
+        "afloat",
+        AFLOAT,
+        &[(DURATION, "0.05"), ("bodies.float.rigid.density", "100.0")],
+        3,
+    );
 }
 
 /// A ball in space, four spacings in radius: its polyhedron and the sphere of rows behind its faces are lifted as the ball is, within 5 %.
@@ -252,7 +309,11 @@ density = 500.0
 fn what_a_body_in_a_fluid_cannot_have_is_refused() {
     let geometry = "geometry.box = { min = [0.16, 0.14, -0.04], max = [0.32, 0.26, 0.04], spacing = 0.04 }";
     let cases = [
-        ("a ball in a plane", geometry, "geometry.ball = { centre = [0.2, 0.2, 0.0], radius = 0.06, spacing = 0.02 }"),
+        (
+            "a ball in a plane",
+            geometry,
+            "geometry.ball = { centre = [0.2, 0.2, 0.0], radius = 0.06, spacing = 0.02 }",
+        ),
         ("a thin box", "max = [0.32, 0.26, 0.04]", "max = [0.18, 0.26, 0.04]"),
         ("a box between spacings", "max = [0.32, 0.26, 0.04]", "max = [0.25, 0.26, 0.04]"),
         ("a velocity out of the plane", "linear = [0.2, 0.0, 0.0]", "linear = [0.2, 0.0, 0.1]"),
@@ -262,13 +323,21 @@ fn what_a_body_in_a_fluid_cannot_have_is_refused() {
             "[bodies.water.fluid]",
             "[[supports]]\non = \"float.all\"\nmoved = { direction = [0, 0, 1], by = 1.0 }\namplitude.ramp = 1.0\n[bodies.water.fluid]",
         ),
-        ("contact with walls without a coat", "[bodies.water.fluid]", "[[contact]]\nbetween = [\"float\", \"tank\"]\n[bodies.water.fluid]"),
+        (
+            "contact with walls without a coat",
+            "[bodies.water.fluid]",
+            "[[contact]]\nbetween = [\"float\", \"tank\"]\n[bodies.water.fluid]",
+        ),
         (
             "a spring to another body",
             "[bodies.water.fluid]",
             "[[supports]]\non = \"float.all\"\nspring = { direction = [0, 1, 0], stiffness = 1.0, to = \"water.all\" }\n[bodies.water.fluid]",
         ),
-        ("contact with walls that make waves", "[bodies.water.fluid]", "[[contact]]\nbetween = [\"float\", \"piston\"]\n[bodies.piston.walls]\ngeometry.block = { lengths = [0.08, 0.2], origin = [-0.08, 0.0] }\nmotion.waves = { height = 0.01, period = 0.5, depth = 0.2 }\n[bodies.water.fluid]"),
+        (
+            "contact with walls that make waves",
+            "[bodies.water.fluid]",
+            "[[contact]]\nbetween = [\"float\", \"piston\"]\n[bodies.piston.walls]\ngeometry.block = { lengths = [0.08, 0.2], origin = [-0.08, 0.0] }\nmotion.waves = { height = 0.01, period = 0.5, depth = 0.2 }\n[bodies.water.fluid]",
+        ),
     ];
     insta::assert_snapshot!(refused(AFLOAT, &cases));
 }

@@ -11,3 +11,4 @@ mod floating;
 mod fluid;
 mod fluid_scenes;
 mod unseen_contact;
+mod waves;

@@ -88,7 +88,9 @@ impl Body for Coupled {
 
     fn counts_turns(&self, number: usize) -> bool {
         match self.layout.place(number) {
-            Place::Structure(k, own) => self.structure(k).is_some_and(|structure| structure.counts_turns(own)),
+            Place::Structure(k, own) => {
+                self.structure(k).is_some_and(|structure| structure.counts_turns(own))
+            }
             _ => false,
         }
     }

@@ -19,7 +19,9 @@ use crate::bodies::fluid::walls::{BuiltWalls, Corner, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::memory::check_memory;
 use crate::bodies::refusal::model_error;
-use crate::bodies::together::{OnTool, Side, TouchingBodies, contacts, on_tools};
+use crate::bodies::together::{
+    self, BetweenBodies, OnTool, SetsOfBodies, Side, TouchingBodies, contacts, on_tools,
+};
 use crate::bodies::{BuiltBody, Description, Memory, Model, Ready};
 use crate::scene::body_in_scene::{BodyInScene, gravity_on};
 use crate::scene::error::SceneError;
@@ -56,6 +58,7 @@ pub(in crate::bodies) fn coupled_model(
     let placed: Vec<_> = placed.map(|((_, wet), range)| (wet.scene, &built.rest[range.clone()])).collect();
     let on_tools = on_tools(&placed, &sides)?;
     built.layout.contacts = 0..contacts.len() + on_tools.len();
+    let joints = joints_between(of_fluid, &wets)?;
     let (watch, unseen) = watched(wanted, &fluid, &walls, &wets, &built.layout)?;
     let probes = {
         let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
@@ -91,6 +94,7 @@ pub(in crate::bodies) fn coupled_model(
     description.bodies = bodies;
     description.modelled.extend(contacts.iter().map(TouchingBodies::line));
     description.modelled.extend(on_tools.iter().map(OnTool::line));
+    description.modelled.extend(joints.as_ref().map(BetweenBodies::line));
     let memory = together(memory, &made);
     let identity = identity(&made);
     let mut structures: Vec<Box<dyn Structure>> = Vec::new();
@@ -102,7 +106,9 @@ pub(in crate::bodies) fn coupled_model(
     }
     let contacts = contacts.into_iter().map(|own| Box::new(own) as Box<dyn Interaction>);
     let on_tools = on_tools.into_iter().map(|own| Box::new(own) as Box<dyn Interaction>);
-    let mut clocks = TwoClocks::new(fluid, structures).with_interactions(contacts.chain(on_tools).collect());
+    let joints = joints.map(|own| Box::new(own) as Box<dyn Interaction>);
+    let mut clocks =
+        TwoClocks::new(fluid, structures).with_interactions(contacts.chain(on_tools).chain(joints).collect());
     clocks.order = coupling.order;
     clocks.impedance = coupling.impedance;
     let CoupledParts { layout, rest, cells } = built;
@@ -121,6 +127,19 @@ pub(in crate::bodies) fn coupled_model(
         sets: BTreeMap::new(),
     };
     Ok(Model { sets, ..made.model(scene, threads) })
+}
+
+/// Springs between structures.
+fn joints_between(
+    of_fluid: &BodyInScene<'_>,
+    wets: &[(&str, WettedBody<'_>)],
+) -> Result<Option<BetweenBodies>, SceneError> {
+    let (mut layout, mut sets) = (together::Layout::default(), SetsOfBodies::new());
+    for (name, wet) in wets {
+        layout.add(name, &*wet.made.body, 0);
+        sets.insert((*name).to_string(), wet.made.sets.clone());
+    }
+    BetweenBodies::find(of_fluid.scene, &layout, &sets)
 }
 
 /// The rows of all walls.

@@ -67,7 +67,10 @@ pub(super) fn wet<'a>(
         BodyScene::Rigid(rigid) => {
             let made = rigid_made(scene, rigid, Some(fluid))?;
             let body = &made.body;
-            let outline = Outline { vertices: body.rest()[..body.centre() as usize].to_vec(), cells: body.cells().to_vec() };
+            let outline = Outline {
+                vertices: body.rest()[..body.centre() as usize].to_vec(),
+                cells: body.cells().to_vec(),
+            };
             let z = (fluid.dimensions() == 2).then(|| body.rest()[body.centre() as usize].z);
             let area_density = 2.0 * body.mass() / outline.area();
             let side = of_rigid(scene, body, made.description.spacing);

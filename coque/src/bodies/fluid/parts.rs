@@ -71,7 +71,10 @@ fn making(wanted: &WallWaves, gravity: &Vec3) -> Motion {
     // Turned about this axis, what is above the hinge goes along the waves.
     let axis = -gravity.normalize().cross(&along);
     let by = libm::atan(half / depth);
-    Motion { translation: None, rotation: Some(Rotation { centre: hinge.into(), axis, by, angle: amplitude }) }
+    Motion {
+        translation: None,
+        rotation: Some(Rotation { centre: hinge.into(), axis, by, angle: amplitude }),
+    }
 }
 
 /// The motion of walls, under a gravity \[L/T²\].

@@ -1,7 +1,9 @@
 //! From a scene to a rigid body ready to move: surface, mass, sets, supports, loads.
 
 use nalgebra::Matrix3;
-use rigid_body::{MassProperties, Outline, Parts, RestingBody, RigidBody, RigidError, RotationHold, Support, WetPoints};
+use rigid_body::{
+    MassProperties, Outline, Parts, RestingBody, RigidBody, RigidError, RotationHold, Support, WetPoints,
+};
 use sph_core::Vec3;
 
 use super::conditions::{holds, loads, probes, set_out, springs, supports};

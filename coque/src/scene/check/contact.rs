@@ -129,8 +129,9 @@ fn check_walls(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
             scene.bodies.get(other),
             Some(BodyScene::Shell(_) | BodyScene::Solid(_) | BodyScene::Rigid(_))
         ) {
-            let bound =
-                format!("a shell, a solid or a rigid body beside the walls `{name}`: walls do not touch walls");
+            let bound = format!(
+                "a shell, a solid or a rigid body beside the walls `{name}`: walls do not touch walls"
+            );
             let repair = "name a shell, a solid or a rigid body, or leave the contact out";
             return refuse(scene, &path, &format!("\"{other}\""), &bound, repair);
         }

@@ -160,7 +160,7 @@ pub(super) fn check_tools_of_rigid(scene: &BodyInScene<'_>, rigid: &RigidScene, 
     }
     if rigid.coat.is_none() {
         let bound = match on_walls {
-            true => "given where it touches walls: two rigid faces have no stiffness of contact",
+            true => "a coat where it touches walls: two rigid faces have no stiffness of contact",
             false => "given beside `tools`: two rigid faces have no stiffness of contact",
         };
         return refuse("coat", "nothing", bound, "coat = { young = …, thickness = … }");

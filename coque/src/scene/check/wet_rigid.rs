@@ -37,7 +37,12 @@ fn check_size(rigid: &RigidScene, fluid: &FluidScene, name: &str, s: &Scope<'_>)
                 "at least {rows} spacings of `{name}`, {:.6}: the fluid on one side would feel that on the other",
                 rows * spacing
             );
-            Err(s.value(path, value, &bound, "make it thicker, use a narrower spacing of the fluid, or a stiff shell"))
+            Err(s.value(
+                path,
+                value,
+                &bound,
+                "make it thicker, use a narrower spacing of the fluid, or a stiff shell",
+            ))
         }
     };
     match &rigid.geometry {
@@ -109,7 +114,9 @@ fn check_plane(scene: &BodyInScene<'_>, rigid: &RigidScene) -> Verdict {
         for (_, kind) in load.kinds() {
             match kind {
                 LoadKind::Force(force) => along(s, &load.at("force.total"), force.total)?,
-                LoadKind::Gravity(gravity) => along(s, &load.at("gravity.acceleration"), gravity.acceleration)?,
+                LoadKind::Gravity(gravity) => {
+                    along(s, &load.at("gravity.acceleration"), gravity.acceleration)?
+                }
                 LoadKind::Couple(couple) => match couple.axis {
                     Axis::Fixed(axis) => about(s, &load.at("couple.axis"), axis)?,
                     Axis::Edge => {}

@@ -15,6 +15,7 @@ mod source_settings;
 mod sprung_floor;
 mod square;
 mod turek_hron;
+mod wave_flume;
 mod wedge;
 
 use super::finer;
@@ -37,6 +38,7 @@ pub fn all() -> Vec<Case> {
         source_settings::case(),
         sprung_floor::case(),
         floating_box::case(),
+        wave_flume::case(),
         finer::leaning_wall(measure::SHELL),
     ]
 }

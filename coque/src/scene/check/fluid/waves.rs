@@ -25,7 +25,12 @@ pub(in crate::scene::check) fn check_waves(scene: &Scene) -> Verdict {
         let s = &scene.source.body(body, "walls");
         if translation.is_some() || rotation.is_some() {
             let (bound, repair) = ("the whole motion of the walls", "remove `translation` and `rotation`");
-            return Err(SceneError::Choice(s.fault("motion.waves", "waves beside another motion", bound, repair)));
+            return Err(SceneError::Choice(s.fault(
+                "motion.waves",
+                "waves beside another motion",
+                bound,
+                repair,
+            )));
         }
         check_direction(s, "motion.waves.along", waves.along, &gravity, fluid)?;
         check_made(s, waves, &gravity)?;
@@ -43,7 +48,8 @@ fn check_direction(
     fluid: &FluidScene,
 ) -> Verdict {
     if gravity.norm() == 0.0 {
-        let (bound, repair) = ("gravity on the fluid", "add loads = [{ on = \"all\", gravity = { acceleration = […] } }]");
+        let (bound, repair) =
+            ("gravity on the fluid", "add loads = [{ on = \"all\", gravity = { acceleration = […] } }]");
         return Err(SceneError::Choice(s.fault(path, "waves", &format!("none without {bound}"), repair)));
     }
     s.direction(path, along)?;
@@ -65,7 +71,12 @@ fn check_made(s: &Scope<'_>, waves: &WallWaves, gravity: &Vec3) -> Verdict {
             of.length(),
             waves.depth
         );
-        return Err(s.value("motion.waves.height", waves.height, &bound, "lower it, or give a longer period"));
+        return Err(s.value(
+            "motion.waves.height",
+            waves.height,
+            &bound,
+            "lower it, or give a longer period",
+        ));
     }
     waves.hinge.map_or(Ok(()), |hinge| s.sized_all("motion.waves.hinge", &hinge))
 }
@@ -79,7 +90,8 @@ fn check_beach(s: &Scope<'_>, fluid: &FluidScene, beach: &Beach, gravity: &Vec3)
     }
     let of = Waves { period: beach.period.get(), depth: beach.depth.get(), gravity: gravity.norm() };
     if beach.length.get() < of.length() {
-        let bound = format!("at least {:.4}, the length of the waves: shorter ones send them back", of.length());
+        let bound =
+            format!("at least {:.4}, the length of the waves: shorter ones send them back", of.length());
         return Err(s.value("beach.length", beach.length, &bound, "make the tank and its beach longer"));
     }
     Ok(())
