@@ -37,7 +37,6 @@ fn half_angle([a, b, c]: [Vec3; 3]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::shapes::{ball, cuboid};
 
     #[test]

@@ -32,7 +32,7 @@ fn number_times_depth() -> f64 {
     let (mut low, mut high) = (1e-3, 50.0);
     for _ in 0..100 {
         let middle = 0.5 * (low + high);
-        if middle * f64::tanh(middle) > wanted { high = middle } else { low = middle }
+        if middle * libm::tanh(middle) > wanted { high = middle } else { low = middle }
     }
     low
 }
@@ -43,8 +43,8 @@ fn number_times_depth() -> f64 {
 #[test]
 fn walls_go_by_their_strokes() {
     let x = number_times_depth();
-    let below = f64::sinh(2.0 * x) + 2.0 * x;
-    let piston = 0.01 * below / (2.0 * (f64::cosh(2.0 * x) - 1.0));
+    let below = libm::sinh(2.0 * x) + 2.0 * x;
+    let piston = 0.01 * below / (2.0 * (libm::cosh(2.0 * x) - 1.0));
     let outcome = flume(&[]);
     let ways = column(&outcome, "x");
     let crest = 50;
@@ -52,7 +52,7 @@ fn walls_go_by_their_strokes() {
     assert!((ways[crest] / piston - 1.0).abs() < 1e-9, "{} {piston}", ways[crest]);
     assert!((ways[70] / -piston - 1.0).abs() < 1e-9, "{} {piston}", ways[70]);
     assert!(outcome.summary.record.warnings.is_empty(), "{:?}", outcome.summary.record.warnings);
-    let flap = 0.01 * x * below / (4.0 * f64::sinh(x) * (x * f64::sinh(x) - f64::cosh(x) + 1.0));
+    let flap = 0.01 * x * below / (4.0 * libm::sinh(x) * (x * libm::sinh(x) - libm::cosh(x) + 1.0));
     let hinged = "{ height = 0.02, period = 0.5, depth = 0.2, growth = 0.5, hinge = [0.0, 0.0, 0.0] }";
     let ways = column(&flume(&[("bodies.piston.walls.motion.waves", hinged)]), "x");
     // The highest row lies half a spacing below the edge.
