@@ -16,6 +16,7 @@
 //! - [`fluids`]: fronts and wall pressures of dam breaks, a box in one;
 //! - [`fluid_structure`]: a gate, plates, a bar, a wedge, in experiments and published simulations;
 //! - [`fluid_structure_forms`]: strips and rings, dry and in a fluid, in closed form;
+//! - [`floating_box`]: a box that swings in the water of a tank, by linear potential flow;
 //! - [`fe_shell`]: an independent implicit finite-element shell;
 //! - [`fe_solid`]: bricks of twenty nodes.
 //!
@@ -114,6 +115,7 @@
 //! | rings and strips in fluids are those of the tables | `the_ring_meets_the_table_dry_and_wet`, `the_taut_strip_meets_the_converged_elements` (src/fluid_structure_forms.rs) |
 //! | cantilevers that vibrate are those at rest, and those of Euler and Bernoulli; their end lags | `slow_loads_are_those_at_rest`, `slender_beams_are_those_of_euler_and_bernoulli`, `the_end_lags_behind_the_force` (src/shaken_beam.rs) |
 //! | plates that shear are those of the tables where they are thin, and add the deflection of shear | `a_thin_plate_is_that_of_the_tables`, `shear_adds_its_own_deflection` (src/sheared_plate.rs) |
+//! | a floating box: half of the added mass of a square, order of its corners, energy | `a_fast_box_has_half_of_the_added_mass_of_a_square`, `times_converge_with_the_order_of_the_corner`, `energy_is_kept` (src/floating_box.rs) |
 //! | an added mass is the energy of its fluid | `the_added_mass_is_the_energy_of_the_fluid` |
 //! | plates buckle and bend by their closed forms | `the_plate_buckles_by_its_closed_forms`, `thin_square_plates_are_those_of_the_tables` |
 //! | elements: forces and tangent are slopes of the energy; six zero modes; rigid motion free | `forces_are_the_slope_of_the_energy_and_the_tangent_the_slope_of_the_forces`, `a_free_patch_has_six_zero_modes_and_no_more`, `a_rigid_motion_of_any_size_meets_no_force` (tests/fe_shell_element.rs) |
@@ -130,6 +132,7 @@ pub mod elastica;
 pub mod external_pressure;
 pub mod fe_shell;
 pub mod fe_solid;
+pub mod floating_box;
 pub mod fluid_structure;
 pub mod fluid_structure_forms;
 pub mod fluids;

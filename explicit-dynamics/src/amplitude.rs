@@ -20,6 +20,9 @@ pub enum Amplitude {
     Sine {
         /// Period \[T\].
         period: f64,
+        /// Time in which it grows to its size, by the factor of `smooth`; left out, none \[T\].
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        growth: Option<f64>,
     },
 }
 
@@ -30,7 +33,10 @@ impl Amplitude {
             Self::Constant => 1.0,
             Self::Ramp(duration) => (time / duration).clamp(0.0, 1.0),
             Self::Smooth(duration) => smooth(time / duration),
-            Self::Sine { period } => libm::sin(std::f64::consts::TAU * time / period),
+            Self::Sine { period, growth } => {
+                let sine = libm::sin(std::f64::consts::TAU * time / period);
+                growth.map_or(sine, |growth| sine * smooth(time / growth))
+            }
             Self::Table(points) => table(points, time),
         }
     }
@@ -53,10 +59,18 @@ impl Amplitude {
                 let u = duration * duration * s * s * s * s * s * (0.5 + s * (s / 7.0 - 0.5));
                 [v + after, u + after * (v + 0.5 * after)]
             }
-            Self::Sine { period } => {
+            Self::Sine { period, growth: None } => {
                 let omega = std::f64::consts::TAU / period;
                 let half = libm::sin(0.5 * omega * t);
                 [2.0 * half * half / omega, (t - libm::sin(omega * t) / omega) / omega]
+            }
+            Self::Sine { period, growth: Some(growth) } => {
+                let (end, omega) = (t.min(*growth), std::f64::consts::TAU / period);
+                let [v, u] = self.growing(end, growth / period);
+                let (after, [s0, c0], s1) =
+                    (t - end, [libm::sin(omega * end), libm::cos(omega * end)], libm::sin(omega * t));
+                let whole = (c0 - libm::cos(omega * t)) / omega;
+                [v + whole, u + after * (v + c0 / omega) - (s1 - s0) / (omega * omega)]
             }
             Self::Table(points) => {
                 let (mut from, mut sums) = (0.0, [0.0; 2]);
@@ -71,6 +85,32 @@ impl Amplitude {
                 sums
             }
         }
+    }
+}
+
+/// Abscissae on (−1, 1) and weights of Gauss and Legendre, exact to the ninth degree.
+const GAUSS: [[f64; 2]; 5] = [
+    [-0.906_179_845_938_664, 0.236_926_885_056_189_1],
+    [-0.538_469_310_105_683_1, 0.478_628_670_499_366_47],
+    [0.0, 0.568_888_888_888_888_9],
+    [0.538_469_310_105_683_1, 0.478_628_670_499_366_47],
+    [0.906_179_845_938_664, 0.236_926_885_056_189_1],
+];
+
+impl Amplitude {
+    /// The integrals to a time at which it still grows, over so many periods in all: by pieces so short that nothing but rounding is left.
+    fn growing(&self, end: f64, periods: f64) -> [f64; 2] {
+        let pieces = (24.0 * periods.max(1.0)).ceil();
+        let h = end / pieces;
+        let mut sums = [0.0; 2];
+        for piece in 0..pieces as usize {
+            for [at, weight] in GAUSS {
+                let time = h * (piece as f64 + 0.5 + 0.5 * at);
+                let own = 0.5 * h * weight * self.value(time);
+                sums = [sums[0] + own, sums[1] + own * (end - time)];
+            }
+        }
+        sums
     }
 }
 
@@ -100,8 +140,10 @@ mod tests {
         assert_eq!(Amplitude::Ramp(2.0).value(5.0), 1.0);
         assert_eq!(Amplitude::Smooth(2.0).value(1.0), 0.5);
         for (time, value) in [(1.0, 1.0), (2.0, 0.0), (3.0, -1.0)] {
-            assert!((Amplitude::Sine { period: 4.0 }.value(time) - value).abs() < 1e-15);
+            assert!((Amplitude::Sine { period: 4.0, growth: None }.value(time) - value).abs() < 1e-15);
         }
+        let grown = Amplitude::Sine { period: 4.0, growth: Some(2.0) };
+        assert!((grown.value(1.0) - 0.5).abs() < 1e-15 && (grown.value(5.0) - 1.0).abs() < 1e-14);
         let table = Amplitude::Table(vec![[1.0, 2.0], [3.0, 6.0]]);
         assert_eq!([0.0, 1.0, 2.0, 3.0, 9.0].map(|t| table.value(t)), [2.0, 2.0, 4.0, 6.0, 6.0]);
     }
@@ -114,7 +156,9 @@ mod tests {
             Amplitude::Constant,
             Amplitude::Ramp(0.75),
             Amplitude::Smooth(0.75),
-            Amplitude::Sine { period: 0.6 },
+            Amplitude::Sine { period: 0.6, growth: None },
+            Amplitude::Sine { period: 0.6, growth: Some(1.1) },
+            Amplitude::Sine { period: 0.9, growth: Some(0.1) },
             Amplitude::Table(table),
         ];
         for amplitude in all {

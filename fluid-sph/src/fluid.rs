@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use explicit_dynamics::{BoundaryDriven, BoundaryState};
 use sph_core::Vec3;
 
+use crate::beach::Beach;
 use crate::boundary::points::Boundary;
 use crate::cells::Grid;
 use crate::continuity::{Continuity, Diffusion};
@@ -41,6 +42,8 @@ pub struct Fluid {
     pub(crate) mass: f64,
     pub(crate) liquid: Liquid,
     pub(crate) formulation: Formulation,
+    /// A zone that takes the motion out of waves.
+    pub(crate) beach: Option<Beach>,
     pub(crate) gravity: Vec3,
     pub(crate) domain: Option<[Vec3; 2]>,
     pub(crate) threads: usize,
@@ -106,6 +109,7 @@ impl Fluid {
             mass,
             liquid,
             formulation,
+            beach: None,
             gravity,
             domain,
             threads: threads.max(1),
@@ -172,6 +176,11 @@ impl Fluid {
     /// The liquid.
     pub fn liquid(&self) -> &Liquid {
         &self.liquid
+    }
+
+    /// Lets waves run out in a zone, of a fluid that is marched by kicks and drifts.
+    pub fn absorb(&mut self, beach: Beach) {
+        self.beach = Some(beach);
     }
 
     /// The method.

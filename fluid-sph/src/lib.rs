@@ -101,6 +101,7 @@
 //! | cells beside each other and single precision hold all neighbours; chunks are the same for any threads | src/cells.rs, crate `parallel` |
 #![warn(missing_docs)]
 
+mod beach;
 mod books;
 mod boundary;
 mod cells;
@@ -130,7 +131,9 @@ mod sweeps;
 mod time;
 mod transport;
 mod walls;
+mod waves;
 
+pub use beach::Beach;
 pub use energies::Energies;
 pub use error::FluidError;
 pub use fluid::Fluid;
@@ -139,3 +142,4 @@ pub use formulation::{Formulation, Scheme, WallRule};
 pub use lattice::lattice_moduli;
 pub use liquid::Liquid;
 pub use parts::{Motion, Parts, Rotation, Start, Structure, Wall};
+pub use waves::Waves;

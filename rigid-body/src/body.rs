@@ -7,6 +7,7 @@ use crate::conditions::{Hold, Load, Spring, Support, Wrench};
 use crate::error::RigidError;
 use crate::mass::{MassProperties, Outline};
 use crate::turn::Turn;
+use crate::wet_points::{Moving, Surface, WetPoints};
 
 /// Numbers of a state.
 const NUMBERS: usize = 16;
@@ -57,6 +58,8 @@ pub struct RigidBody {
     pub(crate) energy: f64,
     /// What supports exert.
     pub(crate) borne: Wrench,
+    /// What a fluid wets of it.
+    pub(crate) wetted: Option<Surface>,
 }
 
 /// Where a body is and how it moves.
@@ -116,6 +119,7 @@ impl RigidBody {
             lever: Matrix3::zeros(),
             energy: 0.0,
             borne: Wrench::default(),
+            wetted: None,
         })
     }
 
@@ -128,6 +132,16 @@ impl RigidBody {
     /// Bounds its steps in time: nothing else does where it neither turns nor hangs on springs \[T\].
     pub fn bound_step(&mut self, longest: f64) {
         self.longest = longest;
+    }
+
+    /// Lets a fluid wet it.
+    pub fn wet(&mut self, points: &WetPoints) {
+        self.wetted = Some(Surface::new(points, &self.rest[self.centre() as usize], &self.upright.axes()));
+    }
+
+    /// Number of points that a fluid wets.
+    pub fn wet_points(&self) -> usize {
+        self.wetted.as_ref().map_or(0, |surface| surface.arms.len())
     }
 
     /// Number of particles.
@@ -222,6 +236,12 @@ impl RigidBody {
         let turn = Turn::of_numbers([numbers[12], numbers[13], numbers[14], numbers[15]]);
         self.motion = Motion { pole: v(0), velocity: v(1), spin: v(2), turned: v(3), turn };
         true
+    }
+
+    /// How it moves.
+    pub(crate) fn moving(&self) -> Moving {
+        let Motion { turn, velocity, .. } = self.motion;
+        Moving { axes: turn.axes(), velocity, spin: self.spin() }
     }
 
     /// `J w` in space \[M L²\].

@@ -14,6 +14,11 @@ impl RigidBody {
         let (exerted, lever) = self.exerted;
         let (mut internal, mut external, mut lever) = (Wrench::default(), exerted, lever);
         self.energy = 0.0;
+        if let Some(surface) = &self.wetted {
+            let (pushed, own) = surface.push(&self.moving());
+            external = external + pushed;
+            lever += own;
+        }
         for spring in &self.springs {
             let arm = axes * self.arms[spring.particle as usize];
             let moved = self.motion.pole + arm - self.rest[spring.particle as usize];
@@ -101,13 +106,18 @@ impl RigidBody {
     /// A force at an arm a meets the mass m_e, `1/m_e = 1/m + max_n (a × n)·J⁻¹ (a × n)`: the mass of one particle alone. Several share what
     /// there is in this proportion, `μ = m_e/λ` with the greatest eigenvalue λ of `Σ m_e BᵀB` over the mass of the body, `ẋ = B q̇`.
     pub(crate) fn masses_with(&self, particles: &[u32]) -> Vec<f64> {
+        let arms: Vec<Vec3> = particles.iter().map(|&a| self.arms[a as usize]).collect();
+        self.masses_at(&arms)
+    }
+
+    /// The same of places with these arms in principal axes \[L\].
+    pub(crate) fn masses_at(&self, arms: &[Vec3]) -> Vec<f64> {
         let effective = |arm: &Vec3| {
             // (a × n)·J⁻¹ (a × n) = n·(ĀᵀJ⁻¹Ā) n, Ā the cross product with a.
             let cross = arm.cross_matrix();
             let turning = cross.transpose() * Matrix3::from_diagonal(&self.moments.map(f64::recip)) * cross;
             (1.0 / self.mass + SymmetricEigen::new(turning).eigenvalues.max()).recip()
         };
-        let arms: Vec<Vec3> = particles.iter().map(|&a| self.arms[a as usize]).collect();
         let all: Vec<f64> = arms.iter().map(effective).collect();
         let (root, roots) = (self.mass.sqrt().recip(), self.moments.map(|moment| moment.sqrt().recip()));
         let mut sum = Matrix6::zeros();

@@ -28,6 +28,11 @@
 //! Unknowns are displacements along free directions and turns about the principal axes, in which masses are diagonal. A dead force f at an arm a
 //! has the second variation `(f·a) 1 − ½(f aᵀ + a fᵀ)` along the rotation, a spring `½ k (n·u)²` the block `k w wᵀ` with `w = (n, a × n)`.
 //!
+//! # In a fluid
+//!
+//! A body that is wet shows a fluid rows of points behind its faces, which go with it, and bears what the fluid puts on them, forces and moments alike. Steps of a
+//! light one are bounded by the resistance of sound, `ρ₀c₀A` of each point next to a face on the mass that moves with it.
+//!
 //! | what | tested in |
 //! |---|---|
 //! | mass, centre and inertia of a closed surface, exactly | `mass.rs` |
@@ -40,11 +45,14 @@ mod body;
 mod conditions;
 mod error;
 mod forces;
+mod inside;
 mod joined;
 mod march;
 mod mass;
 mod shapes;
 mod turn;
+mod wet_points;
+mod wetted;
 
 pub use at_rest::RestingBody;
 pub use body::{Parts, RigidBody};
@@ -52,3 +60,4 @@ pub use conditions::{Load, RotationHold, Spring, Support};
 pub use error::RigidError;
 pub use mass::{MassProperties, Outline};
 pub use shapes::{ball, cuboid};
+pub use wet_points::WetPoints;

@@ -85,7 +85,7 @@ impl Dynamics for RigidBody {
         }
     }
 
-    /// That of its springs on the masses of their particles, its present turns and the longest step.
+    /// That of its springs on the masses of their particles, of what its wet points resist, its present turns and the longest step.
     fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {
         let particles: Vec<u32> = self.springs.iter().map(|spring| spring.particle).collect();
         let mut once = particles.clone();
@@ -97,7 +97,7 @@ impl Dynamics for RigidBody {
             sums[once.partition_point(|&other| other < spring.particle)] += spring.stiffness;
         }
         let square = sums.iter().zip(&masses).map(|(sum, mass)| sum / mass).fold(0.0, f64::max);
-        let dt = self.turning_step().min(self.longest).min(2.0 * safety / square.sqrt());
+        let dt = self.turning_step().min(self.longest).min(2.0 * safety / square.sqrt()).min(self.wet_step());
         Ok(StableStep { dt, holds: HOLDS })
     }
 
@@ -127,6 +127,15 @@ impl RigidBody {
     /// The step that turns it by a fiftieth of a radian: by its moment of momentum over the least inertia, which a free motion keeps \[T\].
     fn turning_step(&self) -> f64 {
         TURN * self.moments.min() / self.motion.spin.norm()
+    }
+
+    /// The step in which sound takes its motion away at most: that of `ρ₀c₀A` of the points next to its faces on the masses that move with them. Twice as
+    /// long a one would be stable \[T\].
+    fn wet_step(&self) -> f64 {
+        let Some(surface) = &self.wetted else { return f64::INFINITY };
+        let (arms, resistance) = surface.at_faces();
+        let least = self.masses_at(&arms).into_iter().fold(f64::INFINITY, f64::min);
+        least / resistance
     }
 
     /// Puts in what supports prescribe: velocities that bring the body where they have it after the drift.

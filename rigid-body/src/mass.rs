@@ -70,8 +70,13 @@ impl Outline {
         Ok(MassProperties { mass: density * volume, centre: origin + centre, inertia: inertia * density })
     }
 
+    /// Area of all faces \[L²\].
+    pub fn area(&self) -> f64 {
+        self.triangles().map(|[a, b, c]| 0.5 * (b - a).cross(&(c - a)).norm()).sum()
+    }
+
     /// Triangles of all cells, by their corners.
-    fn triangles(&self) -> impl Iterator<Item = [Vec3; 3]> {
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = [Vec3; 3]> {
         self.cells.iter().flat_map(|cell| {
             let at = |i: usize| self.vertices[cell.corners[i] as usize];
             let count = usize::from(cell.count);

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     Amplitude_2 = TypedDict("Amplitude_2", {"ramp": Union[float, str]})
     Amplitude_3 = TypedDict("Amplitude_3", {"smooth": Union[float, str]})
     Amplitude_4 = TypedDict("Amplitude_4", {"table": Sequence[Sequence[Union[float, str]]]})
-    Amplitude_5_sine = TypedDict("Amplitude_5_sine", {"period": Union[float, str]})
+    Amplitude_5_sine = TypedDict("Amplitude_5_sine", {"growth": NotRequired[Union[float, str]], "period": Union[float, str]})
     Amplitude_5 = TypedDict("Amplitude_5", {"sine": "Amplitude_5_sine"})
     Amplitude_6 = TypedDict("Amplitude_6", {"record": "Record"})
     Amplitude: TypeAlias = Union[Literal['constant'], "Amplitude_2", "Amplitude_3", "Amplitude_4", "Amplitude_5", "Amplitude_6"]
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     BaseResponse: TypeAlias = Union[Literal['relative'], Literal['absolute']]
     Baseline: TypeAlias = Union[Literal['none'], Literal['linear']]
     Basin = TypedDict("Basin", {"max": Sequence[Union[float, str]], "min": Sequence[Union[float, str]], "open": NotRequired[Sequence[str]]})
+    Beach = TypedDict("Beach", {"along": NotRequired[Sequence[Union[float, str]]], "depth": Union[float, str], "from": Sequence[Union[float, str]], "length": Union[float, str], "period": Union[float, str]})
     Block = TypedDict("Block", {"disorder": NotRequired["NodeDisorder"], "grading": NotRequired[Sequence[Union[float, str]]], "lengths": Sequence[Union[float, str]], "nodes": NotRequired["NodePlaces"], "origin": NotRequired[Sequence[Union[float, str]]], "spacing": "PerAxis", "thickness": NotRequired[Union[float, str]]})
     BodyScene_1 = TypedDict("BodyScene_1", {"shell": "ShellScene"})
     BodyScene_2 = TypedDict("BodyScene_2", {"solid": "SolidScene"})
@@ -92,7 +93,7 @@ if TYPE_CHECKING:
     FluidMaterial_1 = TypedDict("FluidMaterial_1", {"liquid": "Liquid"})
     FluidMaterial: TypeAlias = "FluidMaterial_1"
     FluidMethod: TypeAlias = Union[Literal['kick-drift-kick'], Literal['source']]
-    FluidScene = TypedDict("FluidScene", {"formulation": NotRequired["FluidFormulation"], "geometry": "FluidGeometry", "material": "FluidMaterial", "velocity": NotRequired["Velocity"]})
+    FluidScene = TypedDict("FluidScene", {"beach": NotRequired["Beach"], "formulation": NotRequired["FluidFormulation"], "geometry": "FluidGeometry", "material": "FluidMaterial", "velocity": NotRequired["Velocity"]})
     FluidStart: TypeAlias = Union[Literal['hydrostatic'], Literal['uniform']]
     Force: TypeAlias = Union[Literal['N'], Literal['kN'], Literal['MN'], Literal['lbf'], Literal['-']]
     Force2 = TypedDict("Force2", {"by_area": NotRequired[bool], "total": Sequence[Union[float, str]]})
@@ -280,10 +281,11 @@ if TYPE_CHECKING:
     WallGeometry_4 = TypedDict("WallGeometry_4", {"surface": "WallSurface"})
     WallGeometry: TypeAlias = Union["WallGeometry_1", "WallGeometry_2", "WallGeometry_3", "WallGeometry_4"]
     WallMethod: TypeAlias = Union[Literal['extrapolated'], Literal['dynamic']]
-    WallMotion = TypedDict("WallMotion", {"rotation": NotRequired["WallRotation"], "translation": NotRequired["WallTranslation"]})
+    WallMotion = TypedDict("WallMotion", {"rotation": NotRequired["WallRotation"], "translation": NotRequired["WallTranslation"], "waves": NotRequired["WallWaves"]})
     WallRotation = TypedDict("WallRotation", {"amplitude": "Amplitude", "axis": Sequence[Union[float, str]], "by": Union[float, str], "centre": NotRequired[Sequence[Union[float, str]]]})
     WallSurface = TypedDict("WallSurface", {"file": str, "inside": Sequence[Union[float, str]], "scale": NotRequired[Union[float, str]]})
     WallTranslation = TypedDict("WallTranslation", {"amplitude": "Amplitude", "by": Sequence[Union[float, str]]})
+    WallWaves = TypedDict("WallWaves", {"along": NotRequired[Sequence[Union[float, str]]], "depth": Union[float, str], "growth": NotRequired[Union[float, str]], "height": Union[float, str], "hinge": NotRequired[Sequence[Union[float, str]]], "period": Union[float, str]})
     WallsScene = TypedDict("WallsScene", {"geometry": "WallGeometry", "motion": NotRequired["WallMotion"]})
     WeaklyCompressible = TypedDict("WeaklyCompressible", {"confined": NotRequired[bool], "courant": NotRequired[Union[float, str]], "density_diffusion": NotRequired[Union[float, str]], "method": NotRequired["FluidMethod"], "smoothing": NotRequired[Union[float, str]], "start": NotRequired["FluidStart"], "viscosity": NotRequired[Union[float, str]], "walls": NotRequired["WallMethod"], "xsph": NotRequired[Union[float, str]]})
     WetFaces: TypeAlias = Union[Literal['both'], Literal['front'], Literal['back']]

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 100] = [
+const EXAMPLES: [Example; 102] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -64,6 +64,7 @@ const EXAMPLES: [Example; 100] = [
     Example::new("drum-on-block", 4.0, include_str!("../../../scenes/drum-on-block.toml")),
     Example::new("drum-on-bonds", 2.0, include_str!("../../../scenes/drum-on-bonds.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
+    Example::new("floating-box", 2.0, include_str!("../../../scenes/floating-box.toml")),
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
     Example::new("framed-plate", 0.2, include_str!("../../../scenes/framed-plate.toml")),
@@ -144,6 +145,7 @@ const EXAMPLES: [Example; 100] = [
     Example::new("two-cantilevers", 3.0, include_str!("../../../scenes/two-cantilevers.toml")),
     Example::new("two-span-cases", 0.3, include_str!("../../../scenes/two-span-cases.toml")),
     Example::new("deck-in-quake", 5.0, include_str!("../../../scenes/deck-in-quake.toml")),
+    Example::new("wave-flume", 15.0, include_str!("../../../scenes/wave-flume.toml")),
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.

@@ -95,7 +95,8 @@ impl<'a> BodyInScene<'a> {
     /// [`SceneError::Set`] for a set that names no body.
     pub(crate) fn new(scene: &'a Scene, name: &'a str, body: &'a BodyScene) -> Result<Self, SceneError> {
         let (together, in_fluid) = (scene.is_together(), scene.fluid().is_some());
-        let structure = in_fluid && matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_));
+        let structure =
+            in_fluid && matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_) | BodyScene::Rigid(_));
         let joints = joints(scene)?;
         let glued = together && glued(scene)?.iter().any(|glue| glue.is_of(name));
         let mut supports = on_body(scene, name, "supports", &scene.supports, |support| &support.on)?;

@@ -58,6 +58,7 @@ mod touched_walls;
 pub(crate) mod units;
 mod velocity;
 mod walls;
+mod waves;
 
 pub use analysis::{Analysis, Damping, Explicit, MovingBase, QuasiStatic, Transient};
 pub use analysis_kind::{ANALYSES, AnalysisKind, Contacts};
@@ -131,3 +132,4 @@ pub use walls::{
     Basin, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface, WallTranslation,
     WallsScene,
 };
+pub use waves::{Beach, WallWaves};

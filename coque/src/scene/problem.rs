@@ -198,7 +198,9 @@ impl Scene {
 
     /// Bodies that a fluid wets.
     pub(crate) fn structures(&self) -> impl Iterator<Item = (&str, &BodyScene)> {
-        let wet = |body: &BodyScene| matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_));
+        let wet = |body: &BodyScene| {
+            matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_) | BodyScene::Rigid(_))
+        };
         self.bodies.iter().filter(move |(_, body)| wet(body)).map(|(name, body)| (name.as_str(), body))
     }
 

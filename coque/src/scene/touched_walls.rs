@@ -36,6 +36,7 @@ fn tools_of(body: &mut BodyScene) -> Option<&mut Vec<ToolScene>> {
     match body {
         BodyScene::Shell(shell) => Some(&mut shell.tools),
         BodyScene::Solid(solid) => Some(&mut solid.tools),
+        BodyScene::Rigid(rigid) => Some(&mut rigid.tools),
         _ => None,
     }
 }

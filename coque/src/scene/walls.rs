@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use sph_core::LineSide;
 
+use super::waves::WallWaves;
 use crate::scene::bounded::Positive;
 
 /// Rigid walls of a fluid: rows of particles behind their faces, as deep as the kernel of the fluid reaches.
@@ -89,6 +90,8 @@ pub struct WallMotion {
     pub translation: Option<WallTranslation>,
     /// Rotation, before the displacement.
     pub rotation: Option<WallRotation>,
+    /// The motion of a wave maker, in place of both.
+    pub waves: Option<WallWaves>,
 }
 
 /// Displacement of walls.
@@ -114,6 +117,16 @@ pub struct WallRotation {
     pub by: f64,
     /// Course in time.
     pub amplitude: Amplitude,
+}
+
+impl WallsScene {
+    /// Whether its motion turns it.
+    pub(crate) fn turns(&self) -> bool {
+        let turns = |motion: &WallMotion| {
+            motion.rotation.is_some() || motion.waves.is_some_and(|own| own.hinge.is_some())
+        };
+        self.motion.as_ref().is_some_and(turns)
+    }
 }
 
 impl WallGeometry {

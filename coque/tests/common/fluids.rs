@@ -205,3 +205,25 @@ placed = { origin = [0.138, 0.0, -0.04], u = [0, 1, 0], v = [0, 0, 1] }
 material.elastic = { young = 4e5, poisson = 0.3, density = 1100.0 }
 section.homogeneous = { thickness = 0.02 }
 "#;
+
+/// A box afloat that drifts and rolls.
+pub const AFLOAT: &str = r#"title = "A box afloat"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 0.2, record_every = 0.01 }
+loads = [{ on = "all", gravity = { acceleration = [0.0, -10.0, 0.0] } }]
+curve = [
+    { name = "x", of = "displacement", on = "float.all", direction = [1, 0, 0] },
+    { name = "y", of = "displacement", on = "float.all", direction = [0, 1, 0] },
+    { name = "roll", of = "rotation", on = "float.all", direction = [0, 0, 1] },
+    { name = "lift", of = "force", on = "float.all", direction = [0, 1, 0] },
+]
+[bodies.water.fluid]
+geometry.block = { lengths = [0.6, 0.2], spacing = 0.02 }
+material.liquid = { density = 1000.0, sound_speed = 20.0 }
+[bodies.tank.walls]
+geometry.basin = { min = [0.0, 0.0], max = [0.6, 0.4], open = ["y1"] }
+[bodies.float.rigid]
+geometry.box = { min = [0.16, 0.14, -0.04], max = [0.32, 0.26, 0.04], spacing = 0.04 }
+density = 500.0
+velocity = { linear = [0.2, 0.0, 0.0], spin = { axis = [0, 0, 1], point = [0.24, 0.2, 0.0], rate = 2.0 } }
+"#;

@@ -217,7 +217,7 @@ fn what_cannot_touch_is_refused() {
     for (replaced, says) in [
         (vec![("bodies.sill.walls", line.as_str())], "a `basin` or a `block`"),
         (vec![("contact", "[{ between = ['water', 'second'] }]")], "a shell, a solid or a rigid body"),
-        (vec![("contact", "[{ between = ['tank', 'sill'] }]")], "a shell or a solid beside the walls"),
+        (vec![("contact", "[{ between = ['tank', 'sill'] }]")], "a rigid body beside the walls"),
         (
             vec![("contact", "[{ between = ['second', 'sill'] }, { between = ['sill', 'second'] }]")],
             "named once: contact[0]",

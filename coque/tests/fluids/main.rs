@@ -7,6 +7,8 @@ mod common;
 
 mod basins;
 mod contact_in_fluid;
+mod floating;
 mod fluid;
 mod fluid_scenes;
 mod unseen_contact;
+mod waves;

@@ -170,8 +170,26 @@ impl Fluid {
             let [square, weight, friction] = share.add([square, weight, friction]);
             Kicked { square, weight, friction, ..Kicked::default() }
         };
+        let calmed = self.calm(kick);
         self.keep_velocities(step.kick > 0.0);
-        work
+        Kicked { friction: work.friction + calmed, ..work }
+    }
+
+    /// Takes motion out of waves in a damping zone, `v ← v (1 − ½βκ)/(1 + ½βκ)`; the power that this takes a unit of mass, of all \[L²/T³\].
+    fn calm(&mut self, kick: f64) -> f64 {
+        let Some(beach) = self.beach else { return 0.0 };
+        let Self { threads, accelerations, grid, sorted, share, .. } = self;
+        let Sorted { starts, rows, .. } = sorted;
+        let adds = |cell: usize| share.adds(grid, cell);
+        let numbers = |_: usize, row: &mut Row| {
+            let rate = beach.rate(row.at());
+            let (old, left) = (row.velocity(), (1.0 - 0.5 * rate * kick) / (1.0 + 0.5 * rate * kick));
+            row.set_velocity(old.map(|v| v * left));
+            let mean = Vec3::from(old) * (0.5 * (1.0 + left));
+            [rate * mean.norm_squared()]
+        };
+        let [sum] = share.add(by_cells(*threads, starts, &mut rows[..accelerations.len()], &adds, &numbers));
+        sum
     }
 
     /// Hands the velocities of rows back to their particles, and those of particles that others move to their rows; keeps the greatest if

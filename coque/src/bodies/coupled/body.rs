@@ -86,6 +86,15 @@ impl Body for Coupled {
         Configuration { rest: &self.rest, present, cells: &self.cells }
     }
 
+    fn counts_turns(&self, number: usize) -> bool {
+        match self.layout.place(number) {
+            Place::Structure(k, own) => {
+                self.structure(k).is_some_and(|structure| structure.counts_turns(own))
+            }
+            _ => false,
+        }
+    }
+
     fn read(&self, of: Measured, number: usize, along: &Vec3) -> f64 {
         let fluid = self.clocks.fluid();
         match self.layout.place(number) {

@@ -19,7 +19,9 @@ use crate::bodies::fluid::walls::{BuiltWalls, Corner, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::memory::check_memory;
 use crate::bodies::refusal::model_error;
-use crate::bodies::together::{OnTool, Side, TouchingBodies, contacts, on_tools};
+use crate::bodies::together::{
+    self, BetweenBodies, OnTool, SetsOfBodies, Side, TouchingBodies, contacts, on_tools,
+};
 use crate::bodies::{BuiltBody, Description, Memory, Model, Ready};
 use crate::scene::body_in_scene::{BodyInScene, gravity_on};
 use crate::scene::error::SceneError;
@@ -41,6 +43,7 @@ pub(in crate::bodies) fn coupled_model(
         wets.extend(wet(body, wanted, threads)?.map(|wet| (body.name, wet)));
     }
     let mut fluid = coupled_fluid(of_fluid, wanted, &walls, &wets, threads)?;
+    let left_out = places::places(wanted).len() - fluid.len();
     let safety = if let Analysis::Explicit(explicit) = &scene.analysis { explicit.safety.get() } else { 1.0 };
     let step = fluid.stable_step(safety).map_or(0.0, |step| step.dt);
     let liquid = wanted.liquid();
@@ -55,6 +58,7 @@ pub(in crate::bodies) fn coupled_model(
     let placed: Vec<_> = placed.map(|((_, wet), range)| (wet.scene, &built.rest[range.clone()])).collect();
     let on_tools = on_tools(&placed, &sides)?;
     built.layout.contacts = 0..contacts.len() + on_tools.len();
+    let joints = joints_between(of_fluid, &wets)?;
     let (watch, unseen) = watched(wanted, &fluid, &walls, &wets, &built.layout)?;
     let probes = {
         let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
@@ -63,6 +67,10 @@ pub(in crate::bodies) fn coupled_model(
         probes(measuring, own)?
     };
     let mut description = describe::of_fluid(of_fluid, wanted, &fluid);
+    if left_out > 0 {
+        let line = format!("{left_out} particles of the geometry left out, inside of rigid bodies");
+        description.modelled.push(line);
+    }
     let mut warnings = leaks(&walls);
     let coupling = scene.coupling.unwrap_or_default();
     warnings.extend(fluid_first(coupling));
@@ -86,6 +94,7 @@ pub(in crate::bodies) fn coupled_model(
     description.bodies = bodies;
     description.modelled.extend(contacts.iter().map(TouchingBodies::line));
     description.modelled.extend(on_tools.iter().map(OnTool::line));
+    description.modelled.extend(joints.as_ref().map(BetweenBodies::line));
     let memory = together(memory, &made);
     let identity = identity(&made);
     let mut structures: Vec<Box<dyn Structure>> = Vec::new();
@@ -97,7 +106,9 @@ pub(in crate::bodies) fn coupled_model(
     }
     let contacts = contacts.into_iter().map(|own| Box::new(own) as Box<dyn Interaction>);
     let on_tools = on_tools.into_iter().map(|own| Box::new(own) as Box<dyn Interaction>);
-    let mut clocks = TwoClocks::new(fluid, structures).with_interactions(contacts.chain(on_tools).collect());
+    let joints = joints.map(|own| Box::new(own) as Box<dyn Interaction>);
+    let mut clocks =
+        TwoClocks::new(fluid, structures).with_interactions(contacts.chain(on_tools).chain(joints).collect());
     clocks.order = coupling.order;
     clocks.impedance = coupling.impedance;
     let CoupledParts { layout, rest, cells } = built;
@@ -116,6 +127,19 @@ pub(in crate::bodies) fn coupled_model(
         sets: BTreeMap::new(),
     };
     Ok(Model { sets, ..made.model(scene, threads) })
+}
+
+/// Springs between structures.
+fn joints_between(
+    of_fluid: &BodyInScene<'_>,
+    wets: &[(&str, WettedBody<'_>)],
+) -> Result<Option<BetweenBodies>, SceneError> {
+    let (mut layout, mut sets) = (together::Layout::default(), SetsOfBodies::new());
+    for (name, wet) in wets {
+        layout.add(name, &*wet.made.body, 0);
+        sets.insert((*name).to_string(), wet.made.sets.clone());
+    }
+    BetweenBodies::find(of_fluid.scene, &layout, &sets)
 }
 
 /// The rows of all walls.
@@ -141,11 +165,13 @@ fn coupled_fluid(
     wets: &[(&str, WettedBody<'_>)],
     threads: usize,
 ) -> Result<Fluid, SceneError> {
-    let positions = places::places(wanted);
+    let mut positions = places::places(wanted);
+    positions.retain(|place| !wets.iter().any(|(_, wet)| wet.encloses(place)));
     let velocities = places::velocities(wanted, &positions);
+    let gravity = gravity_on(scene.scene, scene.name);
     let wall = |body: &BuiltWalls<'_>, points: &[Vec3]| Wall {
         points: points.to_vec(),
-        motion: body.scene.motion.as_ref().map(parts::motion),
+        motion: body.scene.motion.as_ref().map(|motion| parts::motion(motion, &gravity)),
     };
     let pieces = walls.iter().flat_map(|body| body.rows.pieces.iter().map(|piece| wall(body, &piece.points)));
     let structure = |(_, wet): &(&str, WettedBody<'_>)| {
@@ -160,14 +186,18 @@ fn coupled_fluid(
         velocities,
         liquid: parts::liquid(wanted),
         formulation: parts::formulation(wanted),
-        gravity: gravity_on(scene.scene, scene.name),
+        gravity,
         start: wanted.formulation.options().start,
         walls: pieces.collect(),
         structures: wets.iter().map(structure).collect(),
         domain: None,
         threads: threads.max(1),
     };
-    Fluid::new(all).map_err(|error| fluid_refusal(scene, wanted, &error))
+    let mut fluid = Fluid::new(all).map_err(|error| fluid_refusal(scene, wanted, &error))?;
+    if let Some(beach) = &wanted.beach {
+        fluid.absorb(parts::beach(beach, &gravity));
+    }
+    Ok(fluid)
 }
 
 /// Puts a refusal of the fluid where the scene causes it.
@@ -226,7 +256,7 @@ impl CoupledParts {
 /// By piece of a body of walls, the first of which has this number: what it has of corners, less what is counted with its particles.
 fn shares(body: &BuiltWalls<'_>, first: usize) -> Vec<Vec<Share>> {
     let rows = &body.rows;
-    let turns = body.scene.motion.as_ref().is_some_and(|motion| motion.rotation.is_some());
+    let turns = body.scene.turns();
     let of = |piece: usize| {
         let corners =
             rows.corners.iter().filter(move |corner| corner.sides.iter().any(|side| side.0 == piece));

@@ -40,6 +40,7 @@ impl Loose<'_> {
         match self.scene.body {
             BodyScene::Solid(solid) => Some(solid.material.density()),
             BodyScene::Shell(shell) if shell.wets_both() => shell.density(),
+            BodyScene::Rigid(rigid) => rigid.mean_density(),
             _ => None,
         }
     }

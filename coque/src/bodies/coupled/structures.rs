@@ -1,13 +1,16 @@
-//! Structures as a fluid wets them: rows of points under the faces of a shell, the nodes of a solid.
+//! Structures as a fluid wets them: rows of points under the faces of a shell or a rigid body, the nodes of a solid.
 
+use rigid_body::Outline;
+use sph_core::Vec3;
 use sph_shell::Wetting;
 
 use super::body::Structure;
 use crate::bodies::BuiltBody;
 use crate::bodies::fluid::parts::rows_deep;
+use crate::bodies::rigid_body::build::rigid_made;
 use crate::bodies::shell::build::shell_made;
 use crate::bodies::solid::build::solid_made;
-use crate::bodies::together::{Side, of_bonds, of_shell};
+use crate::bodies::together::{Side, of_bonds, of_rigid, of_shell};
 use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
 use crate::scene::error::SceneError;
 use crate::scene::{BodyScene, FluidScene, SolidScene};
@@ -20,6 +23,16 @@ pub(super) struct WettedBody<'a> {
     pub area_density: f64,
     /// Its surface, where a contact with another structure names it.
     pub side: Option<Side>,
+    /// The surface of a rigid body, whose inside holds no fluid; in a plane the third coordinate at which places are looked for in it.
+    pub hull: Option<(Outline, Option<f64>)>,
+}
+
+impl WettedBody<'_> {
+    /// Whether a place of the fluid lies inside of it.
+    pub fn encloses(&self, place: &Vec3) -> bool {
+        let at = |z: Option<f64>| z.map_or(*place, |z| Vec3::new(place.x, place.y, z));
+        self.hull.as_ref().is_some_and(|(outline, z)| outline.encloses(&at(*z)))
+    }
 }
 
 /// Builds a body, if it is a structure, and wets it.
@@ -42,16 +55,29 @@ pub(super) fn wet<'a>(
             let made = shell_made(&ShellInScene::new(scene, shell), threads, Some(wetting))?;
             let side = of_shell(scene, &made.body)?;
             let made = made.map(|shell| Box::new(shell) as _);
-            Ok(Some(WettedBody { scene, made, area_density, side }))
+            Ok(Some(WettedBody { scene, made, area_density, side, hull: None }))
         }
         BodyScene::Solid(solid) => {
             let area_density = thickness(solid) * solid.material.density();
             let made = solid_made(scene, solid, threads, true)?;
             let side = of_bonds(scene, solid, &made.body);
             let made = made.map(|solid| Box::new(solid) as _);
-            Ok(Some(WettedBody { scene, made, area_density, side }))
+            Ok(Some(WettedBody { scene, made, area_density, side, hull: None }))
         }
-        BodyScene::Fluid(_) | BodyScene::Walls(_) | BodyScene::Rigid(_) => Ok(None),
+        BodyScene::Rigid(rigid) => {
+            let made = rigid_made(scene, rigid, Some(fluid))?;
+            let body = &made.body;
+            let outline = Outline {
+                vertices: body.rest()[..body.centre() as usize].to_vec(),
+                cells: body.cells().to_vec(),
+            };
+            let z = (fluid.dimensions() == 2).then(|| body.rest()[body.centre() as usize].z);
+            let area_density = 2.0 * body.mass() / outline.area();
+            let side = of_rigid(scene, body, made.description.spacing);
+            let made = made.map(|body| Box::new(body) as _);
+            Ok(Some(WettedBody { scene, made, area_density, side, hull: Some((outline, z)) }))
+        }
+        BodyScene::Fluid(_) | BodyScene::Walls(_) => Ok(None),
     }
 }
 

@@ -1,9 +1,13 @@
 //! Liquid, method and start of a fluid, from the scene's words to those of `fluid-sph`.
 
-use fluid_sph::{Formulation, Liquid, Motion, Rotation, Scheme};
+use explicit_dynamics::Amplitude;
+use fluid_sph::{Beach, Formulation, Liquid, Motion, Rotation, Scheme, Waves};
 use sph_core::Vec3;
 
-use crate::scene::{FluidMethod, FluidScene, WallMotion};
+use crate::scene::{self, FluidMethod, FluidScene, WallMotion, WallWaves};
+
+/// Part of its height with which a wave comes back from a beach.
+const LEFT: f64 = 0.02;
 
 /// The liquid.
 pub(in crate::bodies) fn liquid(fluid: &FluidScene) -> Liquid {
@@ -41,8 +45,43 @@ pub(in crate::bodies) fn rows_deep(fluid: &FluidScene) -> usize {
     libm::round(2.0 * formulation(fluid).smoothing) as usize
 }
 
-/// The motion of walls.
-pub(in crate::bodies) fn motion(wanted: &WallMotion) -> Motion {
+/// The zone in which waves run out, under a gravity \[L/T²\].
+pub(in crate::bodies) fn beach(wanted: &scene::Beach, gravity: &Vec3) -> Beach {
+    let length = wanted.length.get();
+    let waves = Waves { period: wanted.period.get(), depth: wanted.depth.get(), gravity: gravity.norm() };
+    Beach {
+        from: wanted.from.into(),
+        along: Vec3::from(wanted.along).normalize(),
+        length,
+        strength: Beach::strength(length, waves.group_velocity(), LEFT),
+    }
+}
+
+/// The motion of a wall that makes waves: half of the stroke to either side, of a flap as the angle about its hinge.
+fn making(wanted: &WallWaves, gravity: &Vec3) -> Motion {
+    let (height, period, depth) = (wanted.height.get(), wanted.period.get(), wanted.depth.get());
+    let waves = Waves { period, depth, gravity: gravity.norm() };
+    let along = Vec3::from(wanted.along).normalize();
+    let amplitude = Amplitude::Sine { period, growth: Some(wanted.growth()) };
+    let Some(hinge) = wanted.hinge else {
+        let half = 0.5 * height / waves.of_piston();
+        return Motion { translation: Some((along * half, amplitude)), rotation: None };
+    };
+    let half = 0.5 * height / waves.of_flap();
+    // Turned about this axis, what is above the hinge goes along the waves.
+    let axis = -gravity.normalize().cross(&along);
+    let by = libm::atan(half / depth);
+    Motion {
+        translation: None,
+        rotation: Some(Rotation { centre: hinge.into(), axis, by, angle: amplitude }),
+    }
+}
+
+/// The motion of walls, under a gravity \[L/T²\].
+pub(in crate::bodies) fn motion(wanted: &WallMotion, gravity: &Vec3) -> Motion {
+    if let Some(waves) = &wanted.waves {
+        return making(waves, gravity);
+    }
     let translation = wanted.translation.as_ref();
     let rotation = wanted.rotation.as_ref();
     Motion {

@@ -1,17 +1,21 @@
 //! From a scene to a rigid body ready to move: surface, mass, sets, supports, loads.
 
 use nalgebra::Matrix3;
-use rigid_body::{MassProperties, Outline, Parts, RestingBody, RigidBody, RigidError};
+use rigid_body::{
+    MassProperties, Outline, Parts, RestingBody, RigidBody, RigidError, RotationHold, Support, WetPoints,
+};
+use sph_core::Vec3;
 
 use super::conditions::{holds, loads, probes, set_out, springs, supports};
 use super::places::{outline, sets, spacing};
+use super::wet::wet_points;
 use crate::bodies::memory::check_memory;
 use crate::bodies::refusal::{model_error, refuse_dof, refuse_free_motion};
 use crate::bodies::rigid::free_of;
 use crate::bodies::{BuiltBody, Description, Model, Ready};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, Explicit, RigidScene};
+use crate::scene::{Analysis, Explicit, FluidScene, RigidScene};
 
 /// Steps between two records at least of a body that is alone, so that loads that vary in time are followed where nothing else bounds the step.
 const STEPS_A_RECORD: f64 = 100.0;
@@ -26,13 +30,14 @@ pub(in crate::bodies) fn rigid_model(
         Analysis::Explicit(_) => Ready::Dynamic(Box::new(body)),
         _ => Ready::Static(Box::new(RestingBody::new(body))),
     };
-    Ok(rigid_made(scene, rigid)?.map(ready).model(scene.scene, threads))
+    Ok(rigid_made(scene, rigid, None)?.map(ready).model(scene.scene, threads))
 }
 
-/// Builds a rigid body.
+/// Builds a rigid body, wet if there is a fluid; in a plane one it stays in the plane.
 pub(in crate::bodies) fn rigid_made(
     scene: &BodyInScene<'_>,
     rigid: &RigidScene,
+    fluid: Option<&FluidScene>,
 ) -> Result<BuiltBody<RigidBody>, SceneError> {
     let (outline, identity) = outline(scene, &rigid.geometry)?;
     let memory = check_memory(scene, outline.vertices.len() as f64)?;
@@ -41,7 +46,12 @@ pub(in crate::bodies) fn rigid_made(
     let mut rest = outline.vertices.clone();
     rest.push(mass.centre);
     let sets = sets(scene, &rest, apart)?;
-    let (supports, springs) = (supports(scene), springs(scene, &sets));
+    let (mut supports, springs) = (supports(scene), springs(scene, &sets));
+    if fluid.is_some_and(|fluid| fluid.dimensions() == 2) {
+        let (displacement, rotation) = (vec![Vec3::z()], RotationHold::About(Vec3::z()));
+        supports.push(Support::Held { displacement, rotation });
+    }
+    let wet = fluid.map(|fluid| wet_points(scene, rigid, (&outline, &mass), fluid)).transpose()?;
     refuse_free_motion(scene, || {
         let all = Vec::from_iter(0..rest.len() as u32);
         free_of(&rest, &all, holds(&supports, &springs, &mass.centre))
@@ -50,6 +60,9 @@ pub(in crate::bodies) fn rigid_made(
     let parts = Parts { outline, mass, supports, loads: loads(scene, &sets), springs };
     let mut body = RigidBody::new(parts).map_err(|error| refused(scene, rigid, &error))?;
     set_out(rigid, &mut body);
+    if let Some(points) = &wet {
+        body.wet(points);
+    }
     if let Analysis::Explicit(Explicit { transient: Some(run), .. }) = scene.analysis {
         // Bodies beside it have steps of their own, and so has its contact with tools.
         let alone = !scene.together && rigid.tools.is_empty();
@@ -59,7 +72,8 @@ pub(in crate::bodies) fn rigid_made(
     if !scene.together {
         refuse_dof(scene, body.dof())?;
     }
-    let description = describe(&body, &mass, apart);
+    let mut description = describe(&body, &mass, apart);
+    description.modelled.extend(wet.map(|wet| wetted_line(&wet)));
     let (driven, warnings, judge) = (None, Vec::new(), None);
     Ok(BuiltBody { body, description, memory, identity, probes, driven, warnings, judge, sets })
 }
@@ -96,6 +110,15 @@ fn describe(body: &RigidBody, mass: &MassProperties, spacing: f64) -> Descriptio
         ],
         left_out: vec!["deformation".into()],
         ..Description::default()
+    }
+}
+
+/// What a fluid wets.
+fn wetted_line(wet: &WetPoints) -> String {
+    let points = format!("wet by {} points behind its faces", wet.points.len());
+    match wet.width {
+        Some(width) => format!("{points}; moves in the plane of the fluid, {width} wide across it"),
+        None => points,
     }
 }
 

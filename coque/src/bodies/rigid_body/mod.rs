@@ -5,3 +5,4 @@ pub(super) mod build;
 mod conditions;
 mod fields;
 mod places;
+mod wet;

@@ -250,7 +250,7 @@ fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<Surfaced, SceneError>
             }
         },
         BodyScene::Rigid(rigid) => {
-            let made = rigid_made(scene, rigid)?;
+            let made = rigid_made(scene, rigid, None)?;
             let side = of_rigid(scene, &made.body, made.description.spacing);
             let own = glued.map(|()| Faces::of_rigid(&made.body));
             let part = made.map(|body| match marched {

@@ -12,11 +12,11 @@ use crate::scene::owner::Owner;
 use crate::scene::{Analysis, Scene};
 
 /// Sets of each body by name, with the numbers of their particles in it.
-pub(super) type SetsOfBodies = BTreeMap<String, BTreeMap<String, Vec<u32>>>;
+pub(in crate::bodies) type SetsOfBodies = BTreeMap<String, BTreeMap<String, Vec<u32>>>;
 
 /// Springs between bodies.
 #[derive(Clone)]
-pub(super) struct BetweenBodies {
+pub(in crate::bodies) struct BetweenBodies {
     /// Particles at their ends, by body.
     particles: Vec<Vec<u32>>,
     springs: Joints,

@@ -8,7 +8,7 @@ use crate::bodies::Body;
 
 /// Names and ranges of all bodies.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Layout {
+pub(in crate::bodies) struct Layout {
     /// Names of the bodies.
     pub names: Vec<String>,
     /// Particles of each.

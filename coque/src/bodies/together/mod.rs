@@ -29,9 +29,11 @@ mod tooled;
 mod touched;
 
 pub(super) use contact::{Side, TouchingBodies};
+pub(super) use joints::{BetweenBodies, SetsOfBodies};
 pub(super) use kept::{kept_between, take_up_between};
+pub(super) use layout::Layout;
 pub(super) use on_tool::OnTool;
 pub(super) use parts::Parts;
-pub(super) use sides::{of_bonds, of_shell};
+pub(super) use sides::{of_bonds, of_rigid, of_shell};
 pub(super) use tooled::on_tools;
 pub(super) use touched::contacts;

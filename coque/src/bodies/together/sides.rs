@@ -121,7 +121,7 @@ pub(super) fn of_galerkin(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Ga
 }
 
 /// The surface of a rigid body, of no thickness: it gives way nowhere, and the stiffness of contact is that of the other body alone.
-pub(super) fn of_rigid(scene: &BodyInScene<'_>, body: &RigidBody, spacing: f64) -> Option<Side> {
+pub(in crate::bodies) fn of_rigid(scene: &BodyInScene<'_>, body: &RigidBody, spacing: f64) -> Option<Side> {
     touches(scene)?;
     Some(Side {
         name: scene.name.into(),

@@ -18,7 +18,10 @@ pub(super) fn check_amplitude(scene: &BodyInScene<'_>, at: &str, amplitude: &Amp
         Amplitude::Constant => Ok(()),
         Amplitude::Ramp(time) => s.positive(&format!("{at}.ramp"), *time),
         Amplitude::Smooth(time) => s.positive(&format!("{at}.smooth"), *time),
-        Amplitude::Sine { period } => s.positive(&format!("{at}.sine.period"), *period),
+        Amplitude::Sine { period, growth } => {
+            s.positive(&format!("{at}.sine.period"), *period)?;
+            growth.map_or(Ok(()), |growth| s.positive(&format!("{at}.sine.growth"), growth))
+        }
         Amplitude::Table(points) => {
             for (i, point) in points.iter().enumerate() {
                 s.sized_all(&format!("{at}.table[{i}]"), point)?;

@@ -120,15 +120,19 @@ fn check_pair(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     Ok(())
 }
 
-/// Walls are tools of shells and solids: basins and blocks, which stand or move without turning.
+/// Walls are tools of shells, solids and rigid bodies: basins and blocks, which stand or move without turning.
 fn check_walls(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
     let path = format!("contact[{number}].between");
     for (name, other) in [(&between[0], &between[1]), (&between[1], &between[0])] {
         let Some(BodyScene::Walls(walls)) = scene.bodies.get(name) else { continue };
-        if !matches!(scene.bodies.get(other), Some(BodyScene::Shell(_) | BodyScene::Solid(_))) {
-            let bound =
-                format!("a shell or a solid beside the walls `{name}`: other bodies do not touch walls");
-            let repair = "name a shell or a solid, or leave the contact out";
+        if !matches!(
+            scene.bodies.get(other),
+            Some(BodyScene::Shell(_) | BodyScene::Solid(_) | BodyScene::Rigid(_))
+        ) {
+            let bound = format!(
+                "a shell, a solid or a rigid body beside the walls `{name}`: walls do not touch walls"
+            );
+            let repair = "name a shell, a solid or a rigid body, or leave the contact out";
             return refuse(scene, &path, &format!("\"{other}\""), &bound, repair);
         }
         if !matches!(walls.geometry, WallGeometry::Basin(_) | WallGeometry::Block(_)) {
@@ -136,7 +140,12 @@ fn check_walls(scene: &Scene, number: usize, between: &[String; 2]) -> Verdict {
             let repair = "give the other body tools of the same shape, [[bodies.NAME.shell.tools]]";
             return refuse(scene, &path, &format!("\"{name}\""), bound, repair);
         }
-        if walls.motion.as_ref().is_some_and(|motion| motion.rotation.is_some()) {
+        if walls.motion.as_ref().is_some_and(|motion| motion.waves.is_some()) {
+            let bound = "walls that stand, or move by `translation`";
+            let repair = "leave the contact out, or give the motion by `translation`";
+            return refuse(scene, &path, &format!("\"{name}\", which makes waves"), bound, repair);
+        }
+        if walls.turns() {
             let bound = "walls that stand, or move without turning";
             let repair = "leave the rotation out, or the contact";
             return refuse(scene, &path, &format!("\"{name}\", which turns"), bound, repair);

@@ -25,6 +25,7 @@ mod solid;
 mod stresses;
 mod together;
 mod tools;
+mod wet_rigid;
 
 use self::analysis::check_analysis;
 use self::cases::check_cases;

@@ -64,9 +64,21 @@ pub(super) fn check_joints(scene: &Scene) -> Verdict {
         let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
             Err(SceneError::Choice(s.fault(&at(key), value, bound, repair)))
         };
-        if scene.fluid().is_some() {
-            let bound = "a set of the same body: structures in a fluid are not joined";
-            return refuse("spring.to", "a set of another body", bound, "name a set of the same body");
+        for ((name, _), key) in ends.iter().zip(["on", "spring.to"]) {
+            let Some(body @ (BodyScene::Fluid(_) | BodyScene::Walls(_))) = scene.bodies.get(*name) else {
+                continue;
+            };
+            let value = match body {
+                BodyScene::Fluid(_) => "a set of a fluid",
+                _ => "a set of walls",
+            };
+            let bound = "one of a shell, a solid or a rigid body";
+            return refuse(
+                key,
+                value,
+                bound,
+                "leave `to` out for springs to the ground, or name a structure",
+            );
         }
         let given: Vec<&str> = support.kinds().iter().map(|(word, _)| *word).collect();
         s.exactly_one(&path, "condition", &given, &Support::WORDS)?;

@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 
 use super::check_alone;
 use super::curve::{check_column_name, check_measured_alike, check_plot};
-use super::fluid::check_sound_speed;
+use super::fluid::{check_sound_speed, check_waves};
 use super::made::check_owners_of_made;
 use super::several::{check_joints, check_several};
+use super::wet_rigid::check_wet_rigid;
 use crate::scene::body_in_scene::{BodyInScene, OnSet, gravity_on};
 use crate::scene::coupling::Coupling;
 use crate::scene::curve::{Measured, mean_of};
@@ -31,10 +32,7 @@ pub(super) fn check_kinds(scene: &Scene) -> Verdict {
         return Err(SceneError::Choice(s.fault(&path, &value, "the only fluid", repair)));
     }
     if fluid.is_some() {
-        let rigid = scene.bodies.iter().find(|(_, body)| matches!(body, BodyScene::Rigid(_)));
-        let Some((name, _)) = rigid else { return Ok(()) };
-        let (bound, repair) = ("none beside a fluid", "use a stiff shell, or walls with a motion");
-        return Err(SceneError::Choice(s.fault(&format!("bodies.{name}"), "a rigid body", bound, repair)));
+        return Ok(());
     }
     let walls = scene.bodies.iter().find(|(_, body)| matches!(body, BodyScene::Walls(_)));
     let Some((name, _)) = walls else { return Ok(()) };
@@ -60,8 +58,10 @@ pub(super) fn check_together(scene: &Scene) -> Verdict {
     check_dimensions(scene)?;
     check_sizes(scene)?;
     check_spacings(scene)?;
+    check_wet_rigid(scene)?;
     if in_fluid {
         check_sound_speed(scene)?;
+        check_waves(scene)?;
         check_contact_columns(scene)?;
     }
     check_columns_together(scene)

@@ -9,6 +9,7 @@ use crate::scene::check::conditions::check_course;
 use crate::scene::check::contact::without_surface;
 use crate::scene::check::rubbing::{RUBBED_BONDS, too_sharp};
 use crate::scene::error::{SceneError, Verdict};
+use crate::scene::problem::BodyScene;
 use crate::scene::rigid::RigidScene;
 use crate::scene::scope::Scope;
 use crate::scene::solid::SolidScene;
@@ -149,12 +150,19 @@ pub(super) fn check_tools_of_rigid(scene: &BodyInScene<'_>, rigid: &RigidScene, 
     let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
         Err(SceneError::Choice(s.fault(key, value, bound, repair)))
     };
-    if rigid.tools.is_empty() {
+    let on_walls = scene.scene.contact.iter().any(|own| {
+        own.other(scene.name)
+            .is_some_and(|other| matches!(scene.scene.bodies.get(other), Some(BodyScene::Walls(_))))
+    });
+    if rigid.tools.is_empty() && !on_walls {
         let bound = "none without `tools`: another body gives way by its own stiffness";
         return rigid.coat.map_or(Ok(()), |_| refuse("coat", "a coat", bound, "add tools, or remove it"));
     }
     if rigid.coat.is_none() {
-        let bound = "given beside `tools`: two rigid faces have no stiffness of contact";
+        let bound = match on_walls {
+            true => "a coat where it touches walls: two rigid faces have no stiffness of contact",
+            false => "given beside `tools`: two rigid faces have no stiffness of contact",
+        };
         return refuse("coat", "nothing", bound, "coat = { young = …, thickness = … }");
     }
     if !matches!(scene.analysis, Analysis::Explicit(_)) {

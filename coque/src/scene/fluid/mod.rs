@@ -7,6 +7,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::velocity::Velocity;
+use super::waves::Beach;
 use crate::scene::bounded::{NotNegative, Positive};
 use formulation::FluidFormulation;
 use geometry::FluidGeometry;
@@ -24,6 +25,8 @@ pub struct FluidScene {
     pub formulation: FluidFormulation,
     /// Velocity at the start.
     pub velocity: Option<Velocity>,
+    /// A zone in which waves run out.
+    pub beach: Option<Beach>,
 }
 
 /// Fluids.

@@ -81,6 +81,19 @@ pub struct RigidBox {
     pub spacing: Positive,
 }
 
+impl RigidScene {
+    /// Mass over the volume that is enclosed; none of a mass in a mesh, whose volume is read later \[F T²/L⁴\].
+    pub(crate) fn mean_density(&self) -> Option<f64> {
+        let volume = match &self.geometry {
+            RigidGeometry::Ball(ball) => 4.0 / 3.0 * std::f64::consts::PI * ball.radius.get().powi(3),
+            RigidGeometry::Box(own) => (0..3).map(|k| own.max[k] - own.min[k]).product(),
+            RigidGeometry::Mesh(_) => f64::INFINITY,
+        };
+        let spread = self.mass.map(|mass| mass.get() / volume).filter(|_| volume.is_finite());
+        self.density.map(|density| density.get()).or(spread)
+    }
+}
+
 impl RigidGeometry {
     /// Its key.
     pub(crate) fn word(&self) -> &'static str {

@@ -4,6 +4,7 @@
 mod baffle;
 mod clamped_strip;
 pub mod column;
+mod floating_box;
 mod gate;
 mod gate_alone;
 pub mod measure;
@@ -14,6 +15,7 @@ mod source_settings;
 mod sprung_floor;
 mod square;
 mod turek_hron;
+mod wave_flume;
 mod wedge;
 
 use super::finer;
@@ -35,6 +37,8 @@ pub fn all() -> Vec<Case> {
         scenes::case(),
         source_settings::case(),
         sprung_floor::case(),
+        floating_box::case(),
+        wave_flume::case(),
         finer::leaning_wall(measure::SHELL),
     ]
 }

@@ -3,6 +3,7 @@
 mod conditions;
 mod speed;
 mod walls;
+mod waves;
 
 use crate::scene::bounded::Positive;
 use crate::scene::error::Verdict;
@@ -12,6 +13,7 @@ use crate::scene::scope::Scope;
 
 pub(super) use self::conditions::{check_load_of_fluid, check_unsupported, check_velocity_of_fluid};
 pub(super) use self::speed::check_sound_speed;
+pub(super) use self::waves::check_waves;
 
 /// Bounds what a scene may allocate: ten million particles take some three gigabytes.
 const MOST_PARTICLES: f64 = 1e7;

@@ -63,9 +63,12 @@ impl WallsScene {
     fn check_motion(&self, scene: &BodyInScene<'_>, s: &Scope<'_>) -> Verdict {
         let Some(motion) = &self.motion else { return Ok(()) };
         let plane = self.geometry.dimensions() == 2;
+        if motion.waves.is_some() {
+            return Ok(());
+        }
         if motion.translation.is_none() && motion.rotation.is_none() {
             let repair = "motion.translation = { by = [0.1, 0, 0], amplitude = { sine = { period = 1.0 } } }";
-            let bound = "`translation`, `rotation` or both";
+            let bound = "`translation`, `rotation` or both, or `waves`";
             return Err(SceneError::Choice(s.fault("motion", "neither", bound, repair)));
         }
         if let Some(translation) = &motion.translation {

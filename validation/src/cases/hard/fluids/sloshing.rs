@@ -60,7 +60,12 @@ fn rolled(method: &str, deep: usize) -> Result<Outcome, Box<dyn Error>> {
     let sound = 10.0 * (2.0 * GRAVITY * TANK[1]).sqrt();
     let parts = water(2, dx, filled([0.0; 3], [long, DEPTH, 0.0], 2, dx), sound, formulation);
     let centre = Vec3::new(0.5 * long, 0.0, 0.0);
-    let turn = Rotation { centre, axis: Vec3::z(), by: ROLL, angle: Amplitude::Sine { period: PERIOD } };
+    let turn = Rotation {
+        centre,
+        axis: Vec3::z(),
+        by: ROLL,
+        angle: Amplitude::Sine { period: PERIOD, growth: None },
+    };
     // With its lid: waves that break at a wall throw drops over half a metre.
     let size = Vec3::new(long, high, 0.0);
     let points = basin_rows(&Vec3::zeros(), &size, [false; 6], 2, dx, rows(&formulation))?;
