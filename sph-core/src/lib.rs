@@ -165,6 +165,7 @@ mod surface;
 mod walls;
 
 pub use block::{Block, BlockLattice, CutOut, NodePlaces};
+pub use block::{ClosedSurface, Facet, Filled, SurfaceFault, by_node, spread};
 pub use block::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use error::SpaceError;
 pub use held_directions::HeldDirections;
