@@ -72,6 +72,7 @@ if TYPE_CHECKING:
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[Union[float, str]], "transient": NotRequired["Transient"]})
     Fields = TypedDict("Fields", {"contact": NotRequired[bool], "every": NotRequired[Union[int, str]], "extruded": NotRequired[bool], "points": NotRequired[bool], "stresses": NotRequired[bool]})
+    FilledSurface = TypedDict("FilledSurface", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[Union[float, str]], "spacing": Union[float, str]})
     Fixed: TypeAlias = Mapping[str, Any]
     FluidBlock = TypedDict("FluidBlock", {"lengths": Sequence[Union[float, str]], "origin": NotRequired[Sequence[Union[float, str]]], "spacing": Union[float, str]})
     FluidBlocks = TypedDict("FluidBlocks", {"parts": Sequence["FluidBox"], "spacing": Union[float, str]})
@@ -218,7 +219,7 @@ if TYPE_CHECKING:
     SolidFormulation_3 = TypedDict("SolidFormulation_3", {"two-sheets": "TwoSheets"})
     SolidFormulation_4 = TypedDict("SolidFormulation_4", {"galerkin": "Galerkin"})
     SolidFormulation: TypeAlias = Union["SolidFormulation_1", "SolidFormulation_2", "SolidFormulation_3", "SolidFormulation_4"]
-    SolidGeometry = TypedDict("SolidGeometry", {"arc": NotRequired["Arc"], "block": NotRequired["Block"], "cut_outs": NotRequired[Sequence["CutOut"]]})
+    SolidGeometry = TypedDict("SolidGeometry", {"arc": NotRequired["Arc"], "block": NotRequired["Block"], "cut_outs": NotRequired[Sequence["CutOut"]], "filled": NotRequired["FilledSurface"]})
     SolidMaterial_1 = TypedDict("SolidMaterial_1", {"elastic": "Elastic"})
     SolidMaterial_2 = TypedDict("SolidMaterial_2", {"orthotropic": "OrthotropicSolid"})
     SolidMaterial_3 = TypedDict("SolidMaterial_3", {"plastic": "Plastic"})

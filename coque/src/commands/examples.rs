@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 96] = [
+const EXAMPLES: [Example; 97] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -75,6 +75,7 @@ const EXAMPLES: [Example; 96] = [
     Example::new("hemisphere", 0.1, include_str!("../../../scenes/hemisphere.toml")),
     Example::new("hemisphere-on-flat", 3.0, include_str!("../../../scenes/hemisphere-on-flat.toml")),
     Example::new("hemisphere-yielding", 1.0, include_str!("../../../scenes/hemisphere-yielding.toml")),
+    Example::new("hollow-ball", 0.5, include_str!("../../../scenes/meshes/hollow-ball.toml")),
     Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
@@ -143,7 +144,7 @@ const EXAMPLES: [Example; 96] = [
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.
-const FILES: [(&str, &str, &str); 11] = [
+const FILES: [(&str, &str, &str); 13] = [
     (
         "balloon-inflating",
         "balloon-inflating.inp",
@@ -154,6 +155,8 @@ const FILES: [(&str, &str, &str); 11] = [
     ("disc-yielding", "disc-yielding.inp", include_str!("../../../scenes/meshes/disc-yielding.inp")),
     ("flanged-bracket", "flanged-bracket.geo", include_str!("../../../scenes/meshes/flanged-bracket.geo")),
     ("flanged-bracket", "flanged-bracket.msh", include_str!("../../../scenes/meshes/flanged-bracket.msh")),
+    ("hollow-ball", "hollow-ball.obj", include_str!("../../../scenes/meshes/hollow-ball.obj")),
+    ("hollow-ball", "hollow-ball.py", include_str!("../../../scenes/meshes/hollow-ball.py")),
     (
         "stiffened-panel-abaqus",
         "stiffened-panel-abaqus.inp",

@@ -25,7 +25,8 @@ impl Triangles {
     pub fn add(&mut self, other: Self) {
         let first = self.vertices.len() as u32;
         self.vertices.extend(other.vertices);
-        self.triangles.extend(other.triangles.into_iter().map(|corners| corners.map(|corner| first + corner)));
+        self.triangles
+            .extend(other.triangles.into_iter().map(|corners| corners.map(|corner| first + corner)));
     }
 
     pub fn mapped(mut self, place: impl Fn(&Vec3) -> Vec3) -> Self {

@@ -145,7 +145,9 @@ impl Polygon {
     /// Least and greatest coordinate.
     fn along(&self, axis: usize) -> (f64, f64) {
         let bounds = (f64::INFINITY, f64::NEG_INFINITY);
-        self.corners().iter().fold(bounds, |(low, high), corner| (low.min(corner[axis]), high.max(corner[axis])))
+        self.corners()
+            .iter()
+            .fold(bounds, |(low, high), corner| (low.min(corner[axis]), high.max(corner[axis])))
     }
 
     /// The parts before and behind a plane across an axis.

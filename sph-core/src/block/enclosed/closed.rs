@@ -36,13 +36,23 @@ pub enum SurfaceFault {
         /// The other \[L\].
         to: Vec3,
     },
-    /// A piece that is turned inside out.
-    #[error("the piece of the surface at {} looks {looks}; turn its triangles round, all of them with flip = true", at(place))]
+    /// A piece that looks inwards where no other one is round it.
+    #[error(
+        "the piece of the surface at {} looks inwards, and lies in no other one; turn its triangles round, all of them with flip = true",
+        at(place)
+    )]
     InsideOut {
         /// A vertex of it \[L\].
         place: Vec3,
-        /// Where it looks, in words.
-        looks: &'static str,
+    },
+    /// A piece that looks outwards within another one.
+    #[error(
+        "the piece of the surface at {} looks outwards, and lies in another one; turn its triangles round for a cavity, or leave it out",
+        at(place)
+    )]
+    Within {
+        /// A vertex of it \[L\].
+        place: Vec3,
     },
     /// Triangles that pass through each other.
     #[error("the surface passes through itself at {}; unite its parts before it is written", at(place))]
@@ -51,7 +61,10 @@ pub enum SurfaceFault {
         place: Vec3,
     },
     /// What lies inside twice, or less than not at all.
-    #[error("the surface encloses what lies at {} more than once; unite its parts before it is written", at(place))]
+    #[error(
+        "the surface encloses what lies at {} more than once; unite its parts before it is written",
+        at(place)
+    )]
     Overlap {
         /// The place \[L\].
         place: Vec3,
@@ -70,9 +83,10 @@ pub enum SurfaceFault {
     },
 }
 
-/// A place as text.
+/// A place as text, to six digits.
 fn at(x: &Vec3) -> String {
-    format!("[{:.6e}, {:.6e}, {:.6e}]", x.x, x.y, x.z)
+    let six = |x: f64| format!("{x:.5e}").parse().unwrap_or(x);
+    format!("[{}, {}, {}]", six(x.x), six(x.y), six(x.z))
 }
 
 /// A closed surface of triangles that looks outwards, of one piece or several; pieces in others are cavities.
@@ -162,12 +176,11 @@ impl ClosedSurface {
             let place = self.places(&self.triangles[piece[0] as usize])[0];
             let others = pieces.iter().filter(|other| !std::ptr::eq(*other, piece)).flatten();
             let around: f64 = others.map(|&number| self.angle(number, &place)).sum::<f64>() / (4.0 * PI);
-            let looks = match (volume > 0.0, around.round() as i64) {
-                (true, 0) | (false, 1) => continue,
-                (true, _) => "outwards, and lies in another one",
-                (false, _) => "inwards, and lies in no other one",
-            };
-            return Err(SurfaceFault::InsideOut { place, looks });
+            match (volume > 0.0, around.round() as i64) {
+                (true, 0) | (false, 1) => {}
+                (true, _) => return Err(SurfaceFault::Within { place }),
+                (false, _) => return Err(SurfaceFault::InsideOut { place }),
+            }
         }
         Ok(())
     }

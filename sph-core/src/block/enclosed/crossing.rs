@@ -10,9 +10,8 @@ const TOUCHING: f64 = 1e-9;
 /// Boxes round the triangles are swept along the longest axis.
 pub(super) fn crossing(triangles: impl Iterator<Item = [Vec3; 3]>, extent: Vec3) -> Option<Vec3> {
     let axis = extent.imax();
-    let mut boxes: Vec<(Vec3, Vec3, [Vec3; 3])> = triangles
-        .map(|[a, b, c]| (a.inf(&b).inf(&c), a.sup(&b).sup(&c), [a, b, c]))
-        .collect();
+    let mut boxes: Vec<(Vec3, Vec3, [Vec3; 3])> =
+        triangles.map(|[a, b, c]| (a.inf(&b).inf(&c), a.sup(&b).sup(&c), [a, b, c])).collect();
     boxes.sort_by(|one, other| one.0[axis].total_cmp(&other.0[axis]));
     for (number, (low, high, one)) in boxes.iter().enumerate() {
         for (other_low, other_high, other) in &boxes[number + 1..] {

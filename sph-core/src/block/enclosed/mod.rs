@@ -13,7 +13,7 @@ mod spread;
 use std::collections::BTreeMap;
 
 pub use closed::{ClosedSurface, SurfaceFault};
-pub use spread::spread;
+pub use spread::{Spread, spread};
 
 use self::clip::{Piece, cut};
 use self::shared::{Shared, share_out};
@@ -118,10 +118,16 @@ impl ClosedSurface {
         let place = |cells: [f64; 3]| origin + Vec3::from(cells) * spacing;
         let Shared { nodes, borne } = share_out(&cut).map_err(|fault| fault.at(place))?;
         let square = spacing * spacing;
-        let normals: Vec<Vec3> = self.triangles.iter().map(|corners| self.area(corners).normalize()).collect();
+        let normals: Vec<Vec3> =
+            self.triangles.iter().map(|corners| self.area(corners).normalize()).collect();
         let facet = |(node, number, part): (u32, usize, f64)| {
             let Piece { triangle, area, centroid, .. } = cut.pieces[number];
-            Facet { node, triangle, area: normals[triangle as usize] * (part * area * square), place: place(centroid) }
+            Facet {
+                node,
+                triangle,
+                area: normals[triangle as usize] * (part * area * square),
+                place: place(centroid),
+            }
         };
         let facets: Vec<Facet> = borne.into_iter().map(facet).collect();
         let block = Block {

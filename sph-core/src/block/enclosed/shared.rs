@@ -5,8 +5,8 @@
 //! across a face if there are any, else across an edge, and so on, by what these have themselves: volume, first moments and area of the
 //! whole stay.
 
-use super::closed::SurfaceFault;
 use super::clip::{Cut, Point};
+use super::closed::SurfaceFault;
 use crate::Vec3;
 
 /// Part of a cell from which it is a node of its own; a half is one, whatever rounding did to it.
@@ -123,8 +123,10 @@ struct Step {
 fn steps() -> Vec<Step> {
     let reach = || -REACH..=REACH;
     let all = reach().flat_map(|i| reach().flat_map(move |j| reach().map(move |k| [i, j, k])));
-    let mut all: Vec<Step> =
-        all.map(|by| Step { by, square: by.iter().map(|n| n * n).sum() }).filter(|step| step.square > 0).collect();
+    let mut all: Vec<Step> = all
+        .map(|by| Step { by, square: by.iter().map(|n| n * n).sum() })
+        .filter(|step| step.square > 0)
+        .collect();
     all.sort_by_key(|step| step.square);
     all
 }
