@@ -33,7 +33,7 @@ fn octant(inner: f64, outer: f64, n: usize) -> (Vec<Vec3>, Vec<[u32; 3]>, usize)
         let [a, b, c] = [a, b, c].map(|k| vertices[k as usize]);
         a.dot(&b.cross(&c)) / 6.0
     };
-    let out = (std::f64::consts::PI / 6.0 / sphere.iter().map(cone).sum::<f64>()).cbrt();
+    let out = libm::cbrt(std::f64::consts::PI / 6.0 / sphere.iter().map(cone).sum::<f64>());
     let count = vertices.len() as u32;
     let of = |radius: f64| vertices.iter().map(move |x| x * (radius * out)).collect::<Vec<_>>();
     let all = [of(inner), of(outer)].concat();
