@@ -44,6 +44,7 @@
 //! | Abaqus `.inp`, with homogeneous `*Shell Section` and `*Material` | `*Nset`, `*Elset` | direction cosines after the coordinates | S3, S3R, STRI3, S4, S4R |
 //! | STL, ASCII or binary | solids, if there are several | – | triangles |
 //! | OBJ | groups, objects | `vn` | triangles, quadrangles |
+//! | PLY, ASCII or binary | – | `nx`, `ny`, `nz` | triangles, quadrangles |
 //! | VTU, ASCII or inline base64 | point data of 0 and 1 | point data "Normals" | triangles, quadrangles |
 //! | points in CSV | – | columns | none: areas are columns |
 //!
@@ -54,6 +55,7 @@
 //! | every format gives the same plate | `every_format_gives_the_same_plate` (tests/formats.rs) |
 //! | groups of a file are sets | `groups_of_the_file_are_sets` (tests/formats.rs) |
 //! | groups of faces stay groups of cells; sections of a file | `groups_of_faces_stay_groups_of_cells`, `sections_of_abaqus_files_are_read` (tests/sections.rs) |
+//! | tetrahedra of a body are bounded by their outer faces | `tetrahedra_are_bounded_by_their_outer_faces` (tests/bodies.rs) |
 //! | faces agree in direction, one-sided sheets are refused | `faces_are_turned_to_agree` and its neighbours (tests/sheets.rs) |
 //! | a refusal names file, line, entity and repair | `broken_files` (tests/refusals.rs), tests/cells.rs |
 //! | no damaged mesh panics or takes without end | `damaged_meshes_never_panic`, `any_bytes_never_panic` (tests/no_panic.rs) |

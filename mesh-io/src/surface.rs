@@ -19,6 +19,7 @@ mod refusal;
 mod report;
 mod sections;
 mod sides;
+mod tetrahedra;
 mod undivided;
 
 use std::{collections::BTreeMap, fmt};
@@ -31,13 +32,12 @@ use order::{along_the_surface, renumber};
 use orient::{Turned, check_faces, orient, refuse_pinched, reversed};
 use raw::{Raw, counted, node_name};
 
-pub use self::{refine::Finer, report::report};
+pub use self::{outward::side, refine::Finer, report::report};
 pub use arrays::Arrays;
 pub use boundary::{HangingNode, Loop, boundary_edges, chains};
 pub use error::MeshError;
-pub use formats::{Format, parse, read, read_to_be_tied};
+pub use formats::{Format, parse, parse_body, read, read_body, read_to_be_tied};
 pub use junctions::Junctions;
-pub use outward::side;
 pub use quality::{Quality, quality};
 pub use sections::{FileMaterial, FileSection};
 

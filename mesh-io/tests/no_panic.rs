@@ -8,13 +8,15 @@ use std::path::Path;
 use mesh_io::surface::{Format, parse, report};
 use proptest::prelude::*;
 
-const FILES: [&str; 9] = [
+const FILES: [&str; 11] = [
     "plate-22.msh",
     "plate-41.msh",
     "plate.inp",
     "plate.stl",
     "plate-binary.stl",
     "plate.obj",
+    "plate.ply",
+    "plate-binary.ply",
     "plate-ascii.vtu",
     "plate-binary.vtu",
     "plate.csv",

@@ -31,6 +31,17 @@ pub enum Support {
         /// Its course in time.
         amplitude: Amplitude,
     },
+    /// The nodes turn as one body about an axis, and of a plate of two sheets their directors with them.
+    Turned {
+        /// Axis; its length does not matter.
+        axis: Vec3,
+        /// A point of the axis \[L\].
+        point: Vec3,
+        /// Angle at level one and amplitude one, right-handed \[rad\].
+        by: f64,
+        /// Its course in time.
+        amplitude: Amplitude,
+    },
 }
 
 /// Dead forces on nodes.

@@ -1,7 +1,7 @@
 //! All that the supports of one row ask of it: held directions, and a displacement along some of them.
 
 use explicit_dynamics::{Amplitude, Instant, Step};
-use sph_core::{HeldDirections, Vec3};
+use sph_core::{HeldDirections, Vec3, rotated};
 
 use crate::conditions::{Support, Supported};
 use crate::error::SolidError;
@@ -21,9 +21,35 @@ pub(crate) struct Constraint {
 /// A prescribed displacement.
 #[derive(Clone, Debug)]
 struct Motion {
-    /// At level one and amplitude one \[L\].
-    displacement: Vec3,
+    way: Way,
     amplitude: Amplitude,
+}
+
+/// Where a motion leads a row.
+#[derive(Clone, Debug)]
+enum Way {
+    /// A displacement at level one and amplitude one \[L\].
+    Straight(Vec3),
+    /// `R(angle) arm − arm`: the arm from a point of the axis \[L\], the angle at level one and amplitude one as a vector \[rad\].
+    Turn { arm: Vec3, angle: Vec3 },
+}
+
+impl Way {
+    /// The way after a part of it \[L\].
+    fn after(&self, part: f64) -> Vec3 {
+        match self {
+            Self::Straight(displacement) => displacement * part,
+            Self::Turn { arm, angle } => rotated(arm, &(angle * part)) - arm,
+        }
+    }
+
+    /// Its derivative with respect to that part \[L\].
+    fn rate(&self, part: f64) -> Vec3 {
+        match self {
+            Self::Straight(displacement) => *displacement,
+            Self::Turn { arm, angle } => angle.cross(&rotated(arm, &(angle * part))),
+        }
+    }
 }
 
 /// The constraint of each row, by numbers one up, zero for a free one.
@@ -108,29 +134,60 @@ impl Constraint {
             }
         }
         let fixed = out.held;
-        for support in supports {
-            let Support::Moved { direction, by, amplitude } = support else { continue };
-            let displacement = direction.normalize() * *by;
-            // What other supports hold must not oppose the motion.
+        // What other supports hold must not oppose the motion.
+        let opposed = |way: Vec3, size: f64| {
             let along = fixed
                 .basis()
                 .iter()
-                .map(|held| displacement.dot(held))
+                .map(|held| way.dot(held))
                 .fold(0.0, |most, along| if f64::abs(along) > f64::abs(most) { along } else { most });
-            if along.abs() > ROUNDING * by.abs() {
-                return Err(SolidError::Contradiction { node, wanted: along });
+            match along.abs() > ROUNDING * size {
+                true => Err(SolidError::Contradiction { node, wanted: along }),
+                false => Ok(()),
             }
-            out.held.hold(&direction.normalize());
-            out.motions.push(Motion { displacement, amplitude: amplitude.clone() });
+        };
+        for support in supports {
+            match support {
+                Support::Held { .. } => {}
+                Support::Moved { direction, by, amplitude } => {
+                    let displacement = direction.normalize() * *by;
+                    opposed(displacement, by.abs())?;
+                    out.held.hold(&direction.normalize());
+                    out.motions
+                        .push(Motion { way: Way::Straight(displacement), amplitude: amplitude.clone() });
+                }
+                Support::Turned { axis, point, by, amplitude } => {
+                    let (arm, angle) = (rest - point, axis.normalize() * *by);
+                    let along = angle.cross(&arm);
+                    for way in [along, axis.normalize().cross(&along)] {
+                        opposed(way, along.norm())?;
+                    }
+                    out.turn(Way::Turn { arm, angle }, amplitude);
+                }
+            }
         }
-        Ok(out)
+        // What turns about two axes is no body that turns.
+        let turns = supports.iter().filter(|support| matches!(support, Support::Turned { .. })).count();
+        if turns > 1 { Err(SolidError::TwoTurns(node)) } else { Ok(out) }
+    }
+
+    /// Prescribes all of a row by a turn.
+    fn turn(&mut self, way: Way, amplitude: &Amplitude) {
+        [Vec3::x(), Vec3::y(), Vec3::z()].iter().for_each(|direction| self.held.hold(direction));
+        self.motions.push(Motion { way, amplitude: amplitude.clone() });
     }
 
     fn of_director(rest: Vec3, supports: &[&Support]) -> Self {
         let mut out = Self::free(rest);
         for support in supports {
-            if let Support::Held { director, .. } = support {
-                director.iter().for_each(|direction| out.held.hold(&direction.normalize()));
+            match support {
+                Support::Held { director, .. } => {
+                    director.iter().for_each(|direction| out.held.hold(&direction.normalize()));
+                }
+                Support::Moved { .. } => {}
+                Support::Turned { axis, by, amplitude, .. } => {
+                    out.turn(Way::Turn { arm: rest, angle: axis.normalize() * *by }, amplitude);
+                }
             }
         }
         out
@@ -143,7 +200,16 @@ impl Constraint {
 
     /// Prescribed displacement at an instant \[L\].
     pub fn displacement(&self, at: Instant) -> Vec3 {
-        let one = |motion: &Motion| motion.displacement * (at.level * motion.amplitude.value(at.time));
+        let one = |motion: &Motion| motion.way.after(at.level * motion.amplitude.value(at.time));
+        self.motions.iter().map(one).sum()
+    }
+
+    /// Its derivative with respect to the level, without time \[L\].
+    pub fn rate(&self, level: f64) -> Vec3 {
+        let one = |motion: &Motion| {
+            let course = motion.amplitude.value(0.0);
+            motion.way.rate(level * course) * course
+        };
         self.motions.iter().map(one).sum()
     }
 

@@ -112,6 +112,9 @@ pub enum SolidError {
         /// The motion asked for \[L\].
         wanted: f64,
     },
+    /// A node that two supports turn.
+    #[error("node {0} is turned by two supports; leave it out of one of them")]
+    TwoTurns(u32),
     /// A limit of bonds out of bounds.
     #[error("{what} is {value}; {bound}")]
     Limit {

@@ -33,6 +33,23 @@ impl Mirror {
     }
 }
 
+/// What of a load goes through planes of symmetry at once.
+#[derive(Clone, Debug)]
+pub(crate) struct Passed {
+    pub load: usize,
+    /// By nodes of the face before the plane, at level one \[F\].
+    pub forces: BTreeMap<u32, Vec3>,
+    /// The factor of the load when it was last evaluated.
+    pub factor: f64,
+}
+
+impl Passed {
+    /// What it is at a node now.
+    pub fn at(&self, node: usize) -> Option<Vec3> {
+        self.forces.get(&(node as u32)).map(|force| force * self.factor)
+    }
+}
+
 /// Which nodes of a face bear what bonds pull through the plane of symmetry before it: each that of the nodes behind it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Borne {

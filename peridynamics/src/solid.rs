@@ -10,7 +10,7 @@ use crate::conditions::AppliedLoad;
 use crate::constraint::Constraints;
 use crate::error::SolidError;
 use crate::fracture::Breakage;
-use crate::mirror::{Borne, Mirror};
+use crate::mirror::{Borne, Mirror, Passed};
 use crate::parts::{Idealisation, Parts};
 use crate::share::Share;
 use crate::sheets::Plate;
@@ -41,6 +41,8 @@ pub struct Solid {
     pub(crate) push: Option<Box<Push>>,
     /// Forces that other bodies exert on nodes; empty of a solid alone.
     pub(crate) exerted: Vec<(u32, Vec3)>,
+    /// What of its loads planes of symmetry bear at once.
+    passed: Vec<Passed>,
     /// What a fluid wets.
     pub(crate) wetted: Option<Box<Surface>>,
     pub(crate) constraints: Constraints,
@@ -134,6 +136,7 @@ impl Solid {
             external: if loads.is_empty() { Vec::new() } else { vec![Vec3::zeros(); count] },
             push: None,
             exerted: Vec::new(),
+            passed: Vec::new(),
             wetted: None,
             constraints,
             loads,
@@ -237,7 +240,25 @@ impl Solid {
     pub fn reaction(&self, node: usize) -> Vec3 {
         let across = |behind: usize, plane| self.mechanics.across(&self.rows, behind, plane);
         let borne = self.borne.as_ref().map_or_else(Vec3::zeros, |borne| borne.at(node, across));
-        self.internal_force(node) - self.external_force(node) + borne
+        let passed: Vec3 = self.passed.iter().filter_map(|passed| passed.at(node)).sum();
+        self.internal_force(node) - self.external_force(node) + borne - passed
+    }
+
+    /// Lets planes of symmetry bear a part of a load at once: forces at nodes of the face before one, at level one \[F\].
+    ///
+    /// A force near a plane that nodes on both sides bear goes through it without a bond; reactions of the face count it.
+    ///
+    /// # Errors
+    /// [`SolidError::NoSuchNode`] for a load or a node that there is not.
+    pub fn pass_through(&mut self, load: usize, forces: Vec<(u32, Vec3)>) -> Result<(), SolidError> {
+        let count = self.block.len();
+        let known = load < self.loads.len();
+        let wrong = forces.iter().find(|(node, _)| !known || *node as usize >= count);
+        if let Some(&(node, _)) = wrong {
+            return Err(SolidError::NoSuchNode { what: "a load on a plane of symmetry", node, count });
+        }
+        self.passed.push(Passed { load, forces: forces.into_iter().collect(), factor: 0.0 });
+        Ok(())
     }
 
     /// Whether a support holds a node along any direction that it could move in.
@@ -294,6 +315,9 @@ impl Solid {
     pub(crate) fn evaluate_loads(&mut self, at: Instant) {
         if let Some(own) = self.external.get_mut(self.share.own(self.rest.len())) {
             own.fill(Vec3::zeros());
+        }
+        for passed in &mut self.passed {
+            passed.factor = self.loads[passed.load].factor(at);
         }
         for load in &self.loads {
             let factor = load.factor(at);

@@ -11,7 +11,7 @@ use implicit_statics::{
 };
 use peridynamics::{Solid, StaticSolid, Support, Supported};
 use plates::{ALUMINIUM, hinged, parts};
-use sph_core::{Block, Vec3};
+use sph_core::{Block, Vec3, rotated};
 
 const LENGTHS: [f64; 2] = [300.0, 200.0];
 
@@ -125,4 +125,26 @@ fn a_plate_and_its_mirror_image_buckle_to_the_same_bits() {
     }
     assert_eq!(loads[0].to_bits(), loads[1].to_bits());
     assert_eq!(deflections[0], deflections[1]);
+}
+
+/// An end that turns, places and directors, takes the rest of the plate along; where the other end is clamped it is twisted.
+#[test]
+fn a_plate_goes_with_its_turned_end() {
+    let (axis, point, by) = (Vec3::new(0.2, 0.9, 0.3), Vec3::new(10.0, -5.0, 20.0), 0.8);
+    let mut parts = parts(plates::block(LENGTHS, 20.0, 50.0), ALUMINIUM);
+    let on = |face: usize| parts.block.faces[face].iter().map(|&(node, _)| node).collect();
+    let support = Support::Turned { axis, point, by, amplitude: Amplitude::default() };
+    parts.supports = vec![Supported { nodes: on(0), support }];
+    let mut plate = StaticSolid::new(Solid::new(parts).expect("a plate"));
+    let mut newton = Newton::new(&plate, &NewtonOptions::default()).expect("options");
+    for step in 1..=32 {
+        newton.at_level(&mut plate, f64::from(step) / 32.0).expect("a balance");
+    }
+    let (solid, angle) = (plate.solid(), axis.normalize() * by);
+    for node in 0..solid.len() {
+        let place = point + rotated(&(solid.block().positions[node] - point), &angle);
+        assert!((solid.position(node) - place).norm() < 1e-5, "{:?}", solid.position(node) - place);
+        let director = solid.director(node).expect("a director");
+        assert!((director - rotated(&Vec3::z(), &angle)).norm() < 1e-7, "{director:?}");
+    }
 }

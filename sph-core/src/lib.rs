@@ -116,7 +116,8 @@
 //! # Blocks
 //!
 //! A [`Block`] is the nodes of a solid, each with a volume and, at the border of the box, with its share of the faces. A
-//! [`BlockLattice`] places them, [`Block::without`] cuts holes.
+//! [`BlockLattice`] places them, [`Block::without`] cuts holes. A [`ClosedSurface`] is filled with nodes whose volumes it cuts, and [`spread`] makes
+//! forces on it forces on them.
 //!
 //! # Walls
 //!
@@ -144,6 +145,8 @@
 //! | kernels: integral one, slope the derivative, smooth end | `every_kernel_integrates_to_one`, `every_slope_is_the_derivative_of_the_value`, `every_kernel_falls_smoothly_to_zero_at_its_support` (src/kernel.rs) |
 //! | the same seed, the same cloud | `the_same_seed_gives_the_same_cloud_and_neighbours_have_near_numbers` (tests/scattered.rs) |
 //! | volumes of a block sum to its box, shares of a face to its area | `volumes_and_faces_sum_to_those_of_the_box` (tests/blocks.rs) |
+//! | nodes in a surface: its volume, centroid and area, wherever it lies in the lattice | `volume_centroid_and_area_are_those_of_the_surface` and its neighbours (tests/enclosed.rs) |
+//! | forces on it keep resultant, moment and work | `forces_on_the_surface_keep_their_resultant_moment_and_work` |
 //! | fluid in a basin has the neighbours of an endless lattice | `fluid_in_a_closed_basin_has_the_neighbours_of_an_endless_lattice` (tests/walls.rs) |
 //! | walls are closed at corners of any angle, no two particles too near | `corners_of_any_angle_are_closed_outside`, `round_any_star_of_fluid_the_wall_is_closed` |
 //! | surfaces: no hole, one particle for each square of the spacing | `the_row_behind_a_face_has_no_hole`, `a_box_of_triangles_is_closed_outside_and_inside` (tests/surface_walls.rs) |
@@ -165,6 +168,7 @@ mod surface;
 mod walls;
 
 pub use block::{Block, BlockLattice, CutOut, NodePlaces};
+pub use block::{ClosedSurface, Facet, Filled, Spread, SurfaceFault, by_node, spread};
 pub use block::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use error::SpaceError;
 pub use held_directions::HeldDirections;

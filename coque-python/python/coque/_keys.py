@@ -232,7 +232,7 @@ if TYPE_CHECKING:
     SolidFormulation_3 = TypedDict("SolidFormulation_3", {"two-sheets": "TwoSheets"})
     SolidFormulation_4 = TypedDict("SolidFormulation_4", {"galerkin": "Galerkin"})
     SolidFormulation: TypeAlias = Union["SolidFormulation_1", "SolidFormulation_2", "SolidFormulation_3", "SolidFormulation_4"]
-    SolidGeometry = TypedDict("SolidGeometry", {"arc": NotRequired["Arc"], "block": NotRequired["Block"], "cut_outs": NotRequired[Sequence["CutOut"]]})
+    SolidGeometry = TypedDict("SolidGeometry", {"arc": NotRequired["Arc"], "block": NotRequired["Block"], "cut_outs": NotRequired[Sequence["CutOut"]], "filled": NotRequired["FilledSurface"]})
     SolidMaterial_1 = TypedDict("SolidMaterial_1", {"elastic": "Elastic"})
     SolidMaterial_2 = TypedDict("SolidMaterial_2", {"orthotropic": "OrthotropicSolid"})
     SolidMaterial_3 = TypedDict("SolidMaterial_3", {"plastic": "Plastic"})

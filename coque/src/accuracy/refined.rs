@@ -3,7 +3,7 @@
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::bounded::Positive;
 use crate::scene::error::SceneError;
-use crate::scene::{BodyScene, Checked, FluidGeometry, Geometry, PerAxis, Scene, SolidGeometry};
+use crate::scene::{BodyScene, Checked, FluidGeometry, Geometry, PerAxis, Scene, SolidGeometry, SolidScene};
 
 /// Fewest cells along the direction that has most, and along the one that has fewest, of a coarse lattice.
 const LEAST: [f64; 2] = [8.0, 2.0];
@@ -47,6 +47,9 @@ fn spaced(body: &BodyScene) -> Option<(String, String)> {
                 (Some(particles), None) => (format!("{word}.particles"), format!("{particles:?}")),
                 (None, None) => return None,
             }
+        }
+        BodyScene::Solid(SolidScene { geometry: SolidGeometry { filled: Some(filled), .. }, .. }) => {
+            ("filled.spacing".into(), format!("{:?}", filled.spacing.get()))
         }
         BodyScene::Solid(solid) => match (&solid.geometry.block, &solid.geometry.arc) {
             (Some(block), _) => {
@@ -131,14 +134,14 @@ pub(super) fn finer(scene: &Scene, fineness: f64) -> f64 {
     step * next / fewest
 }
 
-/// Cells along each direction of the one body, of several the first by name; none of scattered particles.
+/// Cells along each direction of the one body, of several the first by name; none of scattered particles and of nodes in a surface.
 pub(super) fn cells(scene: &Scene) -> Vec<f64> {
     match scene.bodies.values().next() {
         Some(BodyScene::Shell(shell)) => {
             let particles = shell.geometry.particles();
             particles.map_or(Vec::new(), |particles| particles.map(|n| (n - 1) as f64).to_vec())
         }
-        Some(BodyScene::Solid(solid)) => cells_of(&solid.geometry),
+        Some(BodyScene::Solid(solid)) if solid.geometry.filled.is_none() => cells_of(&solid.geometry),
         _ => Vec::new(),
     }
 }
@@ -190,7 +193,14 @@ pub(super) type Steps<'a> = &'a dyn Fn(usize, usize) -> usize;
 pub(super) fn refine(body: &mut BodyScene, fineness: f64, steps: Steps<'_>) -> Option<Change> {
     match body {
         BodyScene::Shell(shell) => refine_shell(&mut shell.geometry, fineness, steps),
-        BodyScene::Solid(solid) => Some(refine_solid(&mut solid.geometry, fineness, steps)),
+        BodyScene::Solid(solid) => match &mut solid.geometry.filled {
+            Some(filled) => {
+                filled.spacing = Positive::new(filled.spacing.get() / fineness).ok()?;
+                let lattice = format!("nodes at {:.4}", filled.spacing);
+                Some(Change { spacings: vec![1.0 / fineness], along: 0, lattice })
+            }
+            None => Some(refine_solid(&mut solid.geometry, fineness, steps)),
+        },
         BodyScene::Fluid(fluid) => refine_fluid(&mut fluid.geometry, fineness),
         BodyScene::Walls(_) | BodyScene::Rigid(_) => {
             Some(Change { spacings: Vec::new(), along: 0, lattice: String::new() })

@@ -79,9 +79,9 @@ pub(crate) fn check_memory(scene: &BodyInScene<'_>, particles: f64) -> Result<Me
         return Ok(memory);
     };
     let key = match scene.body {
-        BodyScene::Solid(solid) => match solid.geometry.arc {
-            None => "block.spacing".into(),
-            Some(_) => "arc.cells".into(),
+        BodyScene::Solid(solid) => match solid.geometry.word() {
+            "arc" => "arc.cells".into(),
+            word => format!("{word}.spacing"),
         },
         BodyScene::Fluid(fluid) => format!("{}.spacing", fluid.geometry.word()),
         BodyScene::Walls(walls) => walls.geometry.word().into(),

@@ -15,6 +15,7 @@
 //! | glue with what it does now | `glue_now.rs` |
 //! | shells; solids with bonds, without; fluids and walls | `shell/`; `solid/`, `galerkin/`; `fluid/` |
 //! | rigid bodies | `rigid_body/` |
+//! | closed surfaces from files | `from_file.rs` |
 //! | several bodies as one, and what bodies do to each other, in a fluid too | `together/` |
 //! | a fluid, its walls and the structures in it as one body | `coupled/` |
 
@@ -28,6 +29,7 @@ mod coupled;
 mod field_source;
 mod figures;
 mod fluid;
+mod from_file;
 mod galerkin;
 mod glue_now;
 mod imperfect;

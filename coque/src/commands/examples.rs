@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 102] = [
+const EXAMPLES: [Example; 103] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -76,6 +76,7 @@ const EXAMPLES: [Example; 102] = [
     Example::new("hemisphere", 0.1, include_str!("../../../scenes/hemisphere.toml")),
     Example::new("hemisphere-on-flat", 3.0, include_str!("../../../scenes/hemisphere-on-flat.toml")),
     Example::new("hemisphere-yielding", 1.0, include_str!("../../../scenes/hemisphere-yielding.toml")),
+    Example::new("hollow-ball", 0.5, include_str!("../../../scenes/meshes/hollow-ball.toml")),
     Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
@@ -149,7 +150,7 @@ const EXAMPLES: [Example; 102] = [
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.
-const FILES: [(&str, &str, &str); 12] = [
+const FILES: [(&str, &str, &str); 14] = [
     (
         "balloon-inflating",
         "balloon-inflating.inp",
@@ -161,6 +162,8 @@ const FILES: [(&str, &str, &str); 12] = [
     ("flanged-bracket", "flanged-bracket.geo", include_str!("../../../scenes/meshes/flanged-bracket.geo")),
     ("open-hole", "open-hole.inp", include_str!("../../../scenes/meshes/open-hole.inp")),
     ("flanged-bracket", "flanged-bracket.msh", include_str!("../../../scenes/meshes/flanged-bracket.msh")),
+    ("hollow-ball", "hollow-ball.obj", include_str!("../../../scenes/meshes/hollow-ball.obj")),
+    ("hollow-ball", "hollow-ball.py", include_str!("../../../scenes/meshes/hollow-ball.py")),
     (
         "stiffened-panel-abaqus",
         "stiffened-panel-abaqus.inp",

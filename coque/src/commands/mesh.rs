@@ -8,7 +8,7 @@ use super::stderr::{Refused, print};
 
 #[derive(Args)]
 pub struct Mesh {
-    /// The file: .msh (Gmsh 2.2, 4.1 ASCII), .inp (Abaqus), .stl, .obj, .vtu, or .csv (points).
+    /// The file: .msh (Gmsh 2.2, 4.1 ASCII), .inp (Abaqus), .stl, .obj, .ply, .vtu, or .csv (points).
     file: PathBuf,
 }
 
@@ -37,6 +37,7 @@ Where sets and normals come from:
         *Shell Section and *Material for section.file = {} and material.file = {}
   .stl  solids, if there are several; vertices that coincide are merged
   .obj  groups and objects; vn
+  .ply  none; nx, ny, nz
   .vtu  point data of whole numbers 0 and 1; point data Normals
   .csv  points with columns x,y,z,nx,ny,nz,area[,thickness], for formulation.nodal alone
 Other formats: `meshio convert FILE surface.vtu --ascii`.

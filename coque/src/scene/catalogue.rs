@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::analysis_kind::ANALYSES;
 use super::loads::Load;
 use super::schema::schema;
-use super::sets::{BUILT_IN, OF_FLUIDS, OF_SOLIDS};
+use super::sets::{BUILT_IN, OF_FILLED, OF_FLUIDS, OF_SOLIDS};
 use super::supports::Support;
 
 /// Things of one kind.
@@ -34,6 +34,10 @@ pub fn catalogue() -> Vec<CatalogueEntry> {
     let sets = [
         (BUILT_IN.join(", "), "of a shell: all particles, edges, corners, middle rows".into()),
         (OF_SOLIDS.join(", "), "of a solid: all nodes, those on the faces of its block".into()),
+        (
+            OF_FILLED[7].into(),
+            "of a solid that fills a surface: its nodes at the surface; groups of the file beside it".into(),
+        ),
         (
             OF_FLUIDS.join(", "),
             "of a fluid: all particles; of walls: all places, of a basin also its sides".into(),

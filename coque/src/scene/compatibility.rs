@@ -11,7 +11,7 @@ are those of the unloaded shell, or of the preloaded one: other loads change not
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 38] = [
+const ROWS: [(&str, &str, &str); 40] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -68,6 +68,8 @@ const ROWS: [(&str, &str, &str); 38] = [
     ("`initial_stress`, nothing beside it", "initial_stress", "on = 'all', membrane = [1, 1, 0]"),
     ("`velocity`", "velocity", "linear = [0, 0, 1]"),
     ("`moved`, of a solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
+    ("`turned`, of a solid", "supports", "on = 'x1', turned = { axis = [1, 0, 0], by = 1 }"),
+    ("`pressure`, dead, of a solid", "loads", "on = 'x1', pressure = { value = 1 }"),
     ("`traction`, of a solid", "loads", "on = 'x1', traction = { value = [0, 0, 1] }"),
     ("`velocity` of a set", "velocity", "on = 'u1', linear = [0, 0, 1]"),
     ("`velocity`, of a solid", "velocity", "linear = [0, 0, 1]"),

@@ -144,7 +144,7 @@ pub enum Measured {
     EnclosedPressure,
     /// Volume that cells of a shell enclose, with what its load has beside, on the set of the load \[L³\].
     EnclosedVolume,
-    /// Component of the moment that the supports of a shell exert about a point \[F L\].
+    /// Component of the moment that the supports of a shell, or of a solid of bonds in space, exert about a point \[F L\].
     ReactionMoment,
     /// Angle by which the director has turned about the direction, counted on beyond π \[rad\].
     Rotation,

@@ -115,7 +115,8 @@ pub use solid::galerkin::{
     GalerkinUpdate, GalerkinVolumes,
 };
 pub use solid::geometry::{
-    Arc, Ball, Block, Cuboid, CutOut, NodeDisorder, NodePlaces, Polygon, RoundHole, SolidGeometry,
+    Arc, Ball, Block, Cuboid, CutOut, FilledSurface, NodeDisorder, NodePlaces, Polygon, RoundHole,
+    SolidGeometry,
 };
 pub use solid::material::{OrthotropicSolid, SolidMaterial};
 pub use sph_core::LineSide;

@@ -14,6 +14,10 @@ pub(crate) const BUILT_IN: [&str; 11] =
 /// Sets that every solid has: all nodes, and those on the faces of its block.
 pub(crate) const OF_SOLIDS: [&str; 7] = ["all", "x0", "x1", "y0", "y1", "z0", "z1"];
 
+/// Sets of a solid whose nodes fill a surface: those of every solid, where faces are what of the surface lies in the planes of the box round it, and
+/// the nodes that bear a part of the surface.
+pub(crate) const OF_FILLED: [&str; 8] = ["all", "x0", "x1", "y0", "y1", "z0", "z1", "surface"];
+
 /// Sets that every rigid body has: the body itself, at its centre of mass.
 pub(crate) const OF_RIGID_BODIES: [&str; 1] = ["all"];
 
@@ -41,7 +45,7 @@ pub struct Region {
     pub inside: Option<Box3>,
     /// All particles on a plane.
     pub plane: Option<OnPlane>,
-    /// All nodes of a solid within a depth of a face of its block.
+    /// All nodes of a solid within a depth of a face of its block, or of the box round the surface that they fill.
     pub layer: Option<Layer>,
     /// Names of sets: all particles that lie in at least one of them.
     pub union: Option<Vec<String>>,

@@ -156,7 +156,7 @@ pub enum SupportKind {
     Spring(Spring),
 }
 
-/// What a condition is on nodes, none of which turns; directors are those of plates of two sheets.
+/// What a condition is on nodes, none of which turns by itself; directors are those of plates of two sheets.
 #[derive(Clone, Debug)]
 pub(crate) enum OnNodes {
     /// Directions that do not move, and planes in which directors stay.
@@ -165,6 +165,8 @@ pub(crate) enum OnNodes {
     Symmetry(Symmetry),
     /// A prescribed motion.
     Moved(Moved),
+    /// A prescribed turn of the set.
+    Turned(Turned),
 }
 
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -192,7 +194,7 @@ impl SupportKind {
         }
     }
 
-    /// What it is on the nodes of a solid; none of what turns or leaves a director.
+    /// What it is on the nodes of a solid; none of what turns or leaves a director alone.
     pub(crate) fn on_nodes(&self) -> Option<OnNodes> {
         match self {
             Self::Clamped => {
@@ -202,7 +204,8 @@ impl SupportKind {
             Self::Symmetry(plane) => Some(OnNodes::Symmetry(*plane)),
             Self::Held(held) => Some(OnNodes::Held(held.clone())),
             Self::Moved(moved) => Some(OnNodes::Moved(*moved)),
-            Self::Hinged | Self::Diaphragm(_) | Self::Rotated(_) | Self::Turned(_) | Self::Spring(_) => None,
+            Self::Turned(turned) => Some(OnNodes::Turned(*turned)),
+            Self::Hinged | Self::Diaphragm(_) | Self::Rotated(_) | Self::Spring(_) => None,
         }
     }
 

@@ -9,6 +9,7 @@ pub mod galerkin;
 pub mod refused;
 pub mod sittings;
 pub mod solids;
+pub mod surfaces;
 pub mod torn;
 
 use std::fs;

@@ -8,6 +8,7 @@ mod common;
 
 mod bodies;
 mod far;
+mod filled;
 mod force_or_motion;
 mod half;
 mod meshes;

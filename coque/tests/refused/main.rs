@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod filled_refusals;
 mod fluid_refusals;
 mod galerkin_refusals;
 mod inputs;

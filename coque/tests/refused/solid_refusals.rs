@@ -82,7 +82,11 @@ fn broken_conditions() {
             ("rotated", "clamped = {}", "rotated = { axis = [1, 0, 0], by = 1 }"),
             ("director", "clamped = {}", "held = { director = [[1, 0, 0]] }"),
             ("couple", "traction = { value = [1.0, 0.0, 0.0] }", "couple = { moment = 1, axis = \"edge\" }"),
-            ("pressure", "traction = { value = [1.0, 0.0, 0.0] }", "pressure = { value = 1 }"),
+            (
+                "pressure",
+                "traction = { value = [1.0, 0.0, 0.0] }",
+                "pressure = { value = 1, follower = true }"
+            ),
             ("traction inside", "on = \"x1\", traction", "on = \"all\", traction"),
             ("depth", "value = [1.0, 0.0, 0.0]", "value = [1.0, 0.0, 0.0], depth = 0"),
             ("edge of a shell", "on = \"x0\"", "on = \"u0\""),

@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod filled;
 mod galerkin;
 mod galerkin_faces;
 mod galerkin_support;

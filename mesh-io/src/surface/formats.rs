@@ -6,6 +6,7 @@ mod csv;
 mod gmsh;
 mod keyword;
 mod obj;
+mod ply;
 mod shell_sections;
 mod stl;
 mod vtu;
@@ -30,15 +31,29 @@ pub enum Format {
     Stl,
     /// Wavefront OBJ.
     Obj,
+    /// PLY, ASCII or binary.
+    Ply,
     /// VTK unstructured grid in XML.
     Vtu,
     /// Points in CSV.
     Csv,
 }
 
+/// What a file is read for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Wanted {
+    /// Sheets of faces.
+    Sheets,
+    /// Sheets that are to be tied: nodes may stand on foreign edges.
+    Tied,
+    /// The surface of a body.
+    Body,
+}
+
 impl Format {
     /// Every format.
-    pub const ALL: [Format; 6] = [Self::Gmsh, Self::Abaqus, Self::Stl, Self::Obj, Self::Vtu, Self::Csv];
+    pub const ALL: [Format; 7] =
+        [Self::Gmsh, Self::Abaqus, Self::Stl, Self::Obj, Self::Ply, Self::Vtu, Self::Csv];
 
     /// Ending of its files.
     pub fn ending(self) -> &'static str {
@@ -47,6 +62,7 @@ impl Format {
             Self::Abaqus => "inp",
             Self::Stl => "stl",
             Self::Obj => "obj",
+            Self::Ply => "ply",
             Self::Vtu => "vtu",
             Self::Csv => "csv",
         }
@@ -59,6 +75,7 @@ impl Format {
             Self::Abaqus => "Abaqus input",
             Self::Stl => "STL",
             Self::Obj => "Wavefront OBJ",
+            Self::Ply => "PLY",
             Self::Vtu => "VTK unstructured grid",
             Self::Csv => "points in CSV",
         }
@@ -84,7 +101,7 @@ impl Format {
 /// # Errors
 /// [`MeshError`] for a file that cannot be read, is not of its format, or holds no sound surface.
 pub fn read(file: &Path) -> Result<Surface, MeshError> {
-    read_as(file, false)
+    read_as(file, Wanted::Sheets)
 }
 
 /// The same of sheets that are to be tied: nodes may stand on edges that they do not belong to, see [`Surface::hanging`].
@@ -92,10 +109,18 @@ pub fn read(file: &Path) -> Result<Surface, MeshError> {
 /// # Errors
 /// As [`read`].
 pub fn read_to_be_tied(file: &Path) -> Result<Surface, MeshError> {
-    read_as(file, true)
+    read_as(file, Wanted::Tied)
 }
 
-fn read_as(file: &Path, may_hang: bool) -> Result<Surface, MeshError> {
+/// The surface of a body: of a file of tetrahedra what bounds them.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_body(file: &Path) -> Result<Surface, MeshError> {
+    read_as(file, Wanted::Body)
+}
+
+fn read_as(file: &Path, wanted: Wanted) -> Result<Surface, MeshError> {
     let name = file.display().to_string();
     let format = Format::of(file)?;
     let bytes = read_bytes(file, LONGEST).map_err(|error| {
@@ -106,7 +131,7 @@ fn read_as(file: &Path, may_hang: bool) -> Result<Surface, MeshError> {
         };
         MeshError::whole(what, "check the path and the permissions").named(&name)
     })?;
-    parse_as(&name, format, &bytes, may_hang)
+    parse_as(&name, format, &bytes, wanted)
 }
 
 /// Reads a surface from the content of a file; `name` is for messages.
@@ -114,20 +139,30 @@ fn read_as(file: &Path, may_hang: bool) -> Result<Surface, MeshError> {
 /// # Errors
 /// [`MeshError`] for content that is not of the format, or holds no sound surface.
 pub fn parse(name: &str, format: Format, bytes: &[u8]) -> Result<Surface, MeshError> {
-    parse_as(name, format, bytes, false)
+    parse_as(name, format, bytes, Wanted::Sheets)
 }
 
-fn parse_as(name: &str, format: Format, bytes: &[u8], may_hang: bool) -> Result<Surface, MeshError> {
+/// The same of the surface of a body, see [`read_body`].
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_body(name: &str, format: Format, bytes: &[u8]) -> Result<Surface, MeshError> {
+    parse_as(name, format, bytes, Wanted::Body)
+}
+
+fn parse_as(name: &str, format: Format, bytes: &[u8], wanted: Wanted) -> Result<Surface, MeshError> {
     // Names in files come in all encodings; numbers do not.
     let text = || String::from_utf8_lossy(bytes);
     let raw = match format {
-        Format::Gmsh => gmsh::parse(&text()),
+        Format::Gmsh => gmsh::parse(&text(), wanted == Wanted::Body),
         Format::Abaqus => abaqus::parse(&text()),
         Format::Stl => stl::parse(bytes),
         Format::Obj => obj::parse(&text()),
+        Format::Ply => ply::parse(bytes),
         Format::Vtu => vtu::parse(&text()),
         Format::Csv => csv::parse(&text()),
     };
+    let may_hang = wanted == Wanted::Tied;
     let surface =
         raw.and_then(|raw| Surface::new(raw, Some(format), may_hang)).map_err(|error| error.named(name))?;
     Ok(Surface { file: name.into(), checksum: crc32fast::hash(bytes), ..surface })

@@ -44,13 +44,15 @@ pub fn canonical(cloud: &Cloud) -> (Vec<[f64; 8]>, Vec<Vec<[f64; 3]>>) {
     (particles, cells)
 }
 
-pub const PLATES: [&str; 8] = [
+pub const PLATES: [&str; 10] = [
     "plate-22.msh",
     "plate-41.msh",
     "plate.inp",
     "plate.stl",
     "plate-binary.stl",
     "plate.obj",
+    "plate.ply",
+    "plate-binary.ply",
     "plate-ascii.vtu",
     "plate-binary.vtu",
 ];

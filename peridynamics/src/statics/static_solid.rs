@@ -28,6 +28,8 @@ pub struct StaticSolid<S = Box<Solid>> {
     couplings: OnceCell<BlockPattern>,
     /// Rows with a prescribed displacement.
     moved: Vec<u32>,
+    /// The level at which they were put last.
+    level: f64,
 }
 
 impl StaticSolid {
@@ -43,7 +45,7 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
     /// of prescribed values too.
     pub fn lent(solid: S) -> Self {
         let unknowns = Unknowns::new(&solid.constraints, solid.len(), solid.block.greatest_spacing());
-        Self { solid, unknowns, couplings: OnceCell::new(), moved: Vec::new() }
+        Self { solid, unknowns, couplings: OnceCell::new(), moved: Vec::new(), level: 0.0 }
     }
 
     /// The body in its present state; its forces are those last evaluated.
@@ -122,7 +124,7 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         };
         let mut velocities: Vec<Vec3> = (0..nodes).map(velocity).collect();
         for &row in self.moved.iter().filter(|&&row| (row as usize) < nodes) {
-            velocities[row as usize] += self.prescribed_rate(row as usize) * (to - from);
+            velocities[row as usize] += self.prescribed_rate(row as usize, from) * (to - from);
         }
         let pairs = couplings.pairs().take_while(|&(a, _, _)| a < nodes);
         fitted_spins(&positions, &velocities, pairs.map(|(a, b, _)| (a, b)))
@@ -130,6 +132,7 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
 
     /// Puts prescribed values where a level has them.
     pub(super) fn put(&mut self, level: f64) {
+        self.level = level;
         let solid = &mut *self.solid;
         for &row in &self.moved {
             if let Some(constraint) = solid.constraints.get(row as usize) {
@@ -142,10 +145,9 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         self.solid.evaluate_external(Instant { time: 0.0, level });
     }
 
-    /// Rates of a row's prescribed displacement per unit of level.
-    fn prescribed_rate(&self, row: usize) -> Vec3 {
-        let at = Instant { time: 0.0, level: 1.0 };
-        self.solid.constraints.get(row).map_or_else(Vec3::zeros, |constraint| constraint.displacement(at))
+    /// Rates of a row's prescribed displacement per unit of level, at a level.
+    fn prescribed_rate(&self, row: usize, level: f64) -> Vec3 {
+        self.solid.constraints.get(row).map_or_else(Vec3::zeros, |constraint| constraint.rate(level))
     }
 
     /// Rows of `∂(external − internal)/∂λ`: the loads, and `−K_fc ċ` of the prescribed values c.
@@ -155,7 +157,7 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         let count = self.solid.rows.len();
         let mut rates = vec![Vec3::zeros(); count];
         for &row in &self.moved {
-            rates[row as usize] = self.prescribed_rate(row as usize);
+            rates[row as usize] = self.prescribed_rate(row as usize, level);
         }
         let mut rows: Vec<Vec3> = (0..count).map(|row| self.solid.external_force(row)).collect();
         let blocks = self.blocks(None);
@@ -269,7 +271,7 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
     fn driving_force(&self) -> f64 {
         let along = |&row: &u32| {
             let row = row as usize;
-            let way = self.prescribed_rate(row);
+            let way = self.prescribed_rate(row, self.level);
             let force = vector(&self.solid.internal[row]);
             if way.norm() > 0.0 { force.dot(&way.normalize()).powi(2) } else { 0.0 }
         };

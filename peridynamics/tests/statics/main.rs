@@ -10,3 +10,4 @@ mod griffith;
 mod patch;
 mod slow_cracks;
 mod tangent;
+mod turned;

@@ -1,10 +1,12 @@
 //! Blocks of nodes: solids in a plane or in space.
 
 mod cut_out;
+mod enclosed;
 mod hexahedra;
 mod lattice;
 
 pub use cut_out::CutOut;
+pub use enclosed::{ClosedSurface, Facet, Filled, Spread, SurfaceFault, by_node, spread};
 pub use hexahedra::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use lattice::{BlockLattice, NodePlaces};
 

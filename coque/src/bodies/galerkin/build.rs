@@ -92,7 +92,7 @@ fn galerkin(
     let memory = check_memory(scene, nodes)?;
     refuse_few_layers(scene, solid, options)?;
     let places = Places::new(scene, solid)?;
-    let sets = NodeSets::find(scene, &places.lattice, &places.block, &places.straight)?;
+    let sets = NodeSets::find(scene, &places.lattice, &places.block, &places.straight, None)?;
     let probes = probes(scene, &sets)?;
     let driven = driven(scene, &sets)?;
     let conditions = conditions(scene, &sets, driven.map(|(support, _)| support))?;

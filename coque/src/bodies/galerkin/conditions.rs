@@ -36,6 +36,8 @@ pub(super) fn conditions(
                 OnNodes::Moved(moved) => {
                     out.push(Condition { by: moved.by, ..held(Vec3::from(moved.direction)) })
                 }
+                // The checks leave none.
+                OnNodes::Turned(_) => {}
             }
         }
     }

@@ -1,17 +1,16 @@
 //! The surface of a rigid body, and its named sets.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
-use mesh_io::surface::{MeshError, read};
 use rigid_body::{Outline, ball, cuboid};
 use sph_core::Vec3;
 
 use crate::bodies::Identity;
+use crate::bodies::from_file::surface;
 use crate::bodies::sets::{Declared, inside};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{Mesh, Region, RigidGeometry};
+use crate::scene::{Region, RigidGeometry};
 
 /// The surface that a scene gives, and the file that it was read from.
 pub(super) fn outline(
@@ -23,29 +22,11 @@ pub(super) fn outline(
             Ok((ball(own.centre, own.radius.get(), own.spacing.get()), Identity::default()))
         }
         RigidGeometry::Box(own) => Ok((cuboid(own.min, own.max, own.spacing.get()), Identity::default())),
-        RigidGeometry::Mesh(mesh) => from_file(scene, mesh),
+        RigidGeometry::Mesh(mesh) => {
+            let (surface, identity) = surface(scene, mesh, "geometry.mesh")?;
+            Ok((Outline { vertices: surface.positions, cells: surface.faces }, identity))
+        }
     }
-}
-
-fn from_file(scene: &BodyInScene<'_>, mesh: &Mesh) -> Result<(Outline, Identity), SceneError> {
-    let Mesh { file, scale, flip } = mesh;
-    let folder = Path::new(scene.source.origin()).parent().unwrap_or(Path::new(""));
-    let surface = match scene.scene.surfaces.get(file) {
-        Some(arrays) => arrays.surface(file, false),
-        None => read(&folder.join(file)),
-    };
-    let surface = surface.map_err(|error| refused(scene, &error))?.scaled(scale.get());
-    let surface = if *flip { surface.flipped() } else { surface };
-    let identity = Identity { file: Some(surface.file.clone()), checksum: Some(surface.checksum) };
-    Ok((Outline { vertices: surface.positions, cells: surface.faces }, identity))
-}
-
-fn refused(scene: &BodyInScene<'_>, error: &MeshError) -> SceneError {
-    let mut said = error.clone();
-    let repair = std::mem::take(&mut said.repair);
-    let value = said.to_string();
-    let value = value.trim_end_matches([';', ' ']);
-    SceneError::Mesh(scene.body_scope().fault("geometry.mesh.file", value, "a sound surface", &repair))
 }
 
 /// The sets of a rigid body by name: the body itself at its centre, and vertices that regions pick.

@@ -21,14 +21,17 @@ const MANY: usize = 24;
 const TURN: f64 = 1e-4;
 
 /// Stiffness in bending across an axis over that of a bar; nothing for many layers, and where there are no bonds between nodes.
-pub(super) fn stiffness(body: &SolidScene, [along, across]: [usize; 2]) -> Option<f64> {
-    let lattice = body.lattice();
-    let Idealisation::Bonds(bonds) = carrier(body, &lattice) else { return None };
+pub(super) fn stiffness(
+    body: &SolidScene,
+    lattice: &BlockLattice,
+    [along, across]: [usize; 2],
+) -> Option<f64> {
+    let Idealisation::Bonds(bonds) = carrier(body, lattice) else { return None };
     let counts = lattice.cells().ok()?;
     if counts[across] > MANY {
         return None;
     }
-    let piece = piece(&lattice, &bonds, counts, [along, across]);
+    let piece = piece(lattice, &bonds, counts, [along, across]);
     let block = piece.block().ok()?;
     let material = material(body);
     // In plane strain the plane is that of a stiffer material.

@@ -26,6 +26,7 @@ impl Body for Solid {
             Measured::Position => self.position(a).dot(along),
             Measured::Velocity => self.velocity(a).dot(along),
             Measured::Reaction => self.reaction(a).dot(along),
+            Measured::ReactionMoment => self.position(a).cross(&self.reaction(a)).dot(along),
             Measured::Director | Measured::Rotation => self.director(a).map_or(0.0, |d| d.dot(along)),
             Measured::Damage => self.damage(a),
             Measured::FractureEnergy => self.fracture_energy(a),

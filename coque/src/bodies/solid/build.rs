@@ -6,14 +6,14 @@ use explicit_dynamics::Amplitude;
 use peridynamics::{AppliedLoad, Parts, Solid, SolidError, StaticSolid};
 use sph_core::{Block, BlockLattice};
 
-use super::conditions::{driver, holds, loads, mirrors, probes, set_out, supports};
+use super::conditions::{Loads, driver, holds, loads, mirrors, probes, set_out, supports};
 use super::describe::describe;
-use super::parts::{carrier, contact, cracks, cut_outs, fracture, material, plastic};
+use super::parts::{carrier, contact, cracks, fracture, material, plastic};
+use super::places::{Places, places};
 use super::sets::NodeSets;
 use super::warnings::warnings_of;
 use crate::bodies::imperfect::{deflection, of_modes};
-use crate::bodies::memory::check_memory;
-use crate::bodies::refusal::{body_error, model_error, not_a, refuse_dof, refuse_free_motion};
+use crate::bodies::refusal::{model_error, not_a, refuse_dof, refuse_free_motion};
 use crate::bodies::rigid::free_of;
 use crate::bodies::{BuiltBody, Identity, Memory, Model, PrescribedPoint, Probe, Ready};
 use crate::scene::body_in_scene::BodyInScene;
@@ -42,6 +42,7 @@ struct SolidParts {
     memory: Memory,
     /// Its nodes by name of their set.
     sets: BTreeMap<String, Vec<u32>>,
+    places: Places,
 }
 
 /// Builds a solid with what is asked of it.
@@ -64,13 +65,15 @@ pub(in crate::bodies) fn solid_made(
     threads: usize,
     wet: bool,
 ) -> Result<BuiltBody<Solid>, SceneError> {
-    let SolidParts { mut solid, probes, driven, memory, sets } = assemble_solid(scene, wanted, threads)?;
+    let SolidParts { mut solid, probes, driven, memory, sets, places } =
+        assemble_solid(scene, wanted, threads)?;
     if wet {
         solid.wet().map_err(|error| solid_refusal(scene, wanted, &error))?;
     }
-    let description = describe(scene, wanted, &solid);
-    let warnings = warnings_of(scene, wanted, &solid);
-    let identity = Identity::default();
+    let mut description = describe(scene, wanted, &solid);
+    let warnings = warnings_of(scene, wanted, &solid, (&places.lattice, &sets));
+    let identity = places.skin.as_ref().map_or_else(Identity::default, |skin| skin.identity.clone());
+    description.modelled.extend(places.skin.map(|skin| skin.described));
     let judge = None;
     Ok(BuiltBody { body: solid, description, memory, identity, probes, driven, warnings, judge, sets })
 }
@@ -80,18 +83,16 @@ fn assemble_solid(
     wanted: &SolidScene,
     threads: usize,
 ) -> Result<SolidParts, SceneError> {
-    let lattice = wanted.lattice();
-    let memory =
-        check_memory(scene, lattice.cells().map_or(0.0, |cells| cells.iter().map(|&n| n as f64).product()))?;
-    let perfect = nodes(scene, wanted, &lattice)?;
-    let block = bent(scene, wanted, &lattice, &perfect, threads)?;
-    let sets = NodeSets::find(scene, &lattice, &perfect, &perfect.positions)?;
+    let (places, memory) = places(scene, wanted)?;
+    let Places { lattice, block: perfect, skin } = &places;
+    let block = bent(scene, wanted, lattice, perfect, threads)?;
+    let sets = NodeSets::find(scene, lattice, perfect, &perfect.positions, skin.as_ref())?;
     let probes = probes(scene, &sets)?;
     let driver = driver(scene, &sets)?;
     let supports = supports(scene, wanted.has_directors(), &sets, driver.as_ref())?;
-    let mirrors = mirrors(scene, &lattice, &sets)?;
+    let mirrors = mirrors(scene, lattice, &sets)?;
     let material = material(wanted);
-    let mut loads = loads(scene, material.density, &block, &sets)?;
+    let Loads { mut loads, passed } = loads(scene, material.density, &block, &sets, &mirrors)?;
     let driven = driver.map(|driver| driver.point(&supports)).transpose();
     let driven = driven.map_err(|error| solid_refusal(scene, wanted, &error))?;
     if let Some(PrescribedPoint { particle, direction, .. }) = driven {
@@ -105,10 +106,10 @@ fn assemble_solid(
     let fracture = fracture(scene, wanted, &sets)?;
     let parts = Parts {
         material,
-        formulation: carrier(wanted, &lattice),
+        formulation: carrier(wanted, lattice),
         plastic: plastic(wanted),
         fracture,
-        cracks: cracks(wanted, &lattice),
+        cracks: cracks(wanted, lattice),
         contact: contact(wanted),
         supports,
         loads,
@@ -116,22 +117,14 @@ fn assemble_solid(
         block,
     };
     let mut solid = Solid::mirrored(parts, &mirrors).map_err(|error| solid_refusal(scene, wanted, &error))?;
+    let mut passed = passed.into_iter();
+    let kept = passed.try_for_each(|(load, forces)| solid.pass_through(load, forces));
+    kept.map_err(|error| solid_refusal(scene, wanted, &error))?;
     set_out(wanted, &mut solid);
     refuse_dof(scene, solid.dof())?;
-    refuse_pieces(scene, &solid)?;
-    Ok(SolidParts { solid, probes, driven, memory, sets: sets.into_members() })
-}
-
-/// The nodes of the block, holes cut.
-fn nodes(scene: &BodyInScene<'_>, wanted: &SolidScene, lattice: &BlockLattice) -> Result<Block, SceneError> {
-    let block = lattice.block().map_err(|e| body_error(scene, "geometry.block", &e.to_string()))?;
-    let block = block.without(&cut_outs(wanted, lattice));
-    if block.is_empty() {
-        let (found, bound) = ("all of the block", "less: no node is left");
-        let path = scene.body_scope().path("geometry.cut_outs");
-        return Err(SceneError::Choice(scene.source.fault(&path, found, bound, "cut less out")));
-    }
-    Ok(block)
+    refuse_pieces(scene, wanted, &solid)?;
+    let sets = sets.into_members();
+    Ok(SolidParts { solid, probes, driven, memory, sets, places })
 }
 
 /// The block with the imperfection put in.
@@ -167,21 +160,27 @@ fn bent(
 }
 
 /// A body in pieces has rigid motions of its own for each: a static answer needs one piece.
-fn refuse_pieces(scene: &BodyInScene<'_>, solid: &Solid) -> Result<(), SceneError> {
+fn refuse_pieces(scene: &BodyInScene<'_>, wanted: &SolidScene, solid: &Solid) -> Result<(), SceneError> {
     let pieces = solid.fragments().len();
     if scene.analysis.kind().floats || pieces == 1 {
         return Ok(());
     }
-    let path = scene.body_scope().path("cracks");
+    let (path, repair) = match (&wanted.geometry.filled, wanted.cracks.is_empty()) {
+        (Some(_), true) => {
+            let repair = "make each piece a body of its own and join them by springs, use a wider horizon, or [analysis.explicit.transient]";
+            ("geometry.filled.file", repair)
+        }
+        _ => ("cracks", "shorten the cracks, or use [analysis.explicit.transient]"),
+    };
+    let path = scene.body_scope().path(path);
     let bound = format!("a body in one piece in {}", scene.analysis.kind().name);
-    let repair = "shorten the cracks, or use [analysis.explicit.transient]";
     let value = format!("solid in {pieces} pieces, each with rigid motions of its own");
     Err(SceneError::FreeMotion(scene.source.fault(&path, &value, &bound, repair)))
 }
 
 /// Puts a refusal of the solid where the wanted causes it.
 fn solid_refusal(scene: &BodyInScene<'_>, wanted: &SolidScene, error: &SolidError) -> SceneError {
-    let moved = scene.supports.iter().find(|support| support.moved.is_some());
+    let moved = scene.supports.iter().find_map(|support| Some(support.at(support.motion()?.0)));
     let of_body = |path: &str| scene.body_scope().path(path);
     let formulation = format!("formulation.{}", wanted.formulation.word());
     let path = match error {
@@ -190,9 +189,9 @@ fn solid_refusal(scene: &BodyInScene<'_>, wanted: &SolidScene, error: &SolidErro
         }
         SolidError::Horizon(_) | SolidError::Alone(_) => of_body(&format!("{formulation}.horizon")),
         SolidError::Coincident(..) | SolidError::Volume { .. } | SolidError::OneLayer => {
-            of_body("geometry.block")
+            of_body(&format!("geometry.{}", wanted.geometry.word()))
         }
-        SolidError::Contradiction { .. } => moved.map_or("supports".into(), |support| support.at("moved")),
+        SolidError::Contradiction { .. } | SolidError::TwoTurns(_) => moved.unwrap_or("supports".into()),
         SolidError::EmptySet(_) | SolidError::NoSuchNode { .. } => "sets".into(),
         SolidError::Unbalanced(_) | SolidError::Flat { .. } => of_body(&format!("{formulation}.correction")),
         SolidError::Limit { .. } => of_body("fracture"),

@@ -1,7 +1,7 @@
 //! Supports, loads, columns and the velocity at the start of a solid.
 
 use peridynamics::{AppliedLoad, Mirror, Solid, SolidError, Support, Supported};
-use sph_core::{Block, BlockLattice, Vec3};
+use sph_core::{Block, BlockLattice, Facet, Spread, Vec3, spread};
 
 use super::sets::NodeSets;
 use crate::bodies::rigid::Hold;
@@ -15,6 +15,14 @@ use crate::scene::{Held, Measured, Moved, OnNodes, SolidScene, Traction};
 const OPPOSED: f64 = 1e-9;
 /// A normal this close to an axis is that of a face.
 const SQUARE: f64 = 1e-9;
+
+/// The loads of a solid.
+pub(super) struct Loads {
+    /// Forces on nodes.
+    pub loads: Vec<AppliedLoad>,
+    /// What of a load, by its number, goes through a plane of symmetry at once, on the face before it.
+    pub passed: Vec<(usize, Vec<(u32, Vec3)>)>,
+}
 
 /// A motion that becomes a force that is sought.
 pub(super) struct Driver {
@@ -80,6 +88,12 @@ pub(super) fn supports(
                     by: moved.by,
                     amplitude: support.amplitude.clone().unwrap_or_default(),
                 },
+                OnNodes::Turned(turned) => Support::Turned {
+                    axis: Vec3::from(turned.axis),
+                    point: Vec3::from(turned.point),
+                    by: turned.by.to_radians(),
+                    amplitude: support.amplitude.clone().unwrap_or_default(),
+                },
             };
             supports.push(Supported { nodes: nodes.to_vec(), support });
         }
@@ -121,6 +135,13 @@ pub(super) fn holds(
                     all.extend(director.iter().map(|n| Hold::Turn(Vec3::z().cross(&n.normalize()))));
                 }
                 Support::Moved { direction, .. } => all.push(Hold::Displacement(node, direction.normalize())),
+                Support::Turned { .. } => {
+                    all.extend([0, 1, 2].map(|k| Hold::Displacement(node, Vec3::ith(k, 1.0))));
+                    // A director that is prescribed does not turn by itself.
+                    if solid.has_directors() {
+                        all.extend([Hold::Turn(Vec3::x()), Hold::Turn(Vec3::y())]);
+                    }
+                }
             }
         }
     }
@@ -133,8 +154,16 @@ pub(super) fn loads(
     density: f64,
     block: &Block,
     sets: &NodeSets<'_>,
-) -> Result<Vec<AppliedLoad>, SceneError> {
-    let mut loads = Vec::new();
+    mirrors: &[Mirror],
+) -> Result<Loads, SceneError> {
+    let planes: Vec<(usize, f64)> = mirrors.iter().map(|&Mirror { axis, at }| (axis, at)).collect();
+    let on_surface = |facets: Vec<Facet>, force: &dyn Fn(&Vec3) -> Vec3| {
+        let forces: Vec<(Facet, Vec3)> =
+            facets.into_iter().map(|facet| (facet, force(&facet.area))).collect();
+        spread(block, &planes, &forces)
+    };
+    let on_nodes = |forces| Spread { forces, through: Vec::new() };
+    let (mut loads, mut passed) = (Vec::new(), Vec::new());
     for load in &scene.loads {
         let nodes = sets.at(&load.at("on"), load.on)?;
         let force = load.force.iter().map(|force| by_volume(block, nodes, Vec3::from(force.total)));
@@ -143,15 +172,36 @@ pub(super) fn loads(
             let weight = |&node: &u32| (node, acceleration * (density * block.volumes[node as usize]));
             nodes.iter().map(weight).collect()
         });
-        let traction = load.traction.iter().map(|traction| tractions(block, sets, load.on, traction));
-        loads.extend(
-            force
-                .chain(gravity)
-                .chain(traction)
-                .map(|forces| AppliedLoad { forces, amplitude: load.amplitude.clone().unwrap_or_default() }),
-        );
+        let traction = load.traction.iter().map(|traction| match sets.facets(load.on, nodes) {
+            Some(facets) if traction.depth.is_none() => {
+                on_surface(facets, &|area| Vec3::from(traction.value) * area.norm())
+            }
+            _ => on_nodes(tractions(block, sets, load.on, traction)),
+        });
+        let pressure = load.pressure.iter().map(|pressure| match sets.facets(load.on, nodes) {
+            Some(facets) => on_surface(facets, &|area| area * -pressure.value()),
+            None => on_nodes(pressures(sets, load.on, pressure.value())),
+        });
+        for Spread { forces, through } in force.chain(gravity).map(on_nodes).chain(traction).chain(pressure) {
+            let borne = mirrors.iter().zip(through).filter(|(_, force)| *force != 0.0);
+            passed.extend(borne.map(|(mirror, force)| (loads.len(), before(block, mirror, force))));
+            loads.push(AppliedLoad { forces, amplitude: load.amplitude.clone().unwrap_or_default() });
+        }
     }
-    Ok(loads)
+    Ok(Loads { loads, passed })
+}
+
+/// A force through a plane of symmetry, along its axis, by area on the nodes of the face before it.
+fn before(block: &Block, mirror: &Mirror, force: f64) -> Vec<(u32, Vec3)> {
+    let apart = |face: &[(u32, f64)]| {
+        let distance =
+            |(node, _): &(u32, f64)| (block.positions[*node as usize][mirror.axis] - mirror.at).abs();
+        face.iter().map(distance).fold(f64::INFINITY, f64::min)
+    };
+    let [lower, upper] = [&block.faces[2 * mirror.axis], &block.faces[2 * mirror.axis + 1]];
+    let face = if apart(lower) <= apart(upper) { lower } else { upper };
+    let whole: f64 = face.iter().map(|(_, area)| area).sum();
+    face.iter().map(|&(node, area)| (node, Vec3::ith(mirror.axis, force * area / whole))).collect()
 }
 
 /// The planes of symmetry: faces of the block.
@@ -206,6 +256,18 @@ fn tractions(block: &Block, sets: &NodeSets<'_>, face: &str, traction: &Traction
             by_volume(block, &sets.layer(face, depth.get()), value * area)
         }
     }
+}
+
+/// A dead pressure on the outermost nodes of a face, against its outward normal.
+fn pressures(sets: &NodeSets<'_>, face: &str, value: f64) -> Vec<(u32, Vec3)> {
+    let inward = inward(face).unwrap_or_default();
+    sets.face(face).iter().map(|&(node, area)| (node, inward * (value * area))).collect()
+}
+
+/// Against the outward normal of a face.
+pub(super) fn inward(face: &str) -> Option<Vec3> {
+    let number = OF_SOLIDS[1..].iter().position(|known| *known == face)?;
+    Some(Vec3::ith(number / 2, if number % 2 == 0 { 1.0 } else { -1.0 }))
 }
 
 /// The columns of the curve.

@@ -19,8 +19,8 @@ use crate::scene::SolidScene;
 const SMALL: f64 = 1e-8;
 
 /// What a loaded face moves too far, in spacings times the strain behind it; nothing without bonds between nodes.
-pub(super) fn excess(body: &SolidScene) -> Option<f64> {
-    let Idealisation::Bonds(bonds) = carrier(body, &body.lattice()) else { return None };
+pub(super) fn excess(body: &SolidScene, lattice: &BlockLattice) -> Option<f64> {
+    let Idealisation::Bonds(bonds) = carrier(body, lattice) else { return None };
     let space = if bonds.space == Space::PlaneStrain { Space::PlaneStrain } else { Space::PlaneStress };
     let poisson = bonds.law.poisson(space, material(body).poisson);
     let young = if space == Space::PlaneStrain { 1.0 - poisson * poisson } else { 1.0 };
@@ -32,7 +32,7 @@ pub(super) fn excess(body: &SolidScene) -> Option<f64> {
         origin: Vec3::zeros(),
         grading: [1.0; 3],
         disorder: 0.0,
-        ..body.lattice()
+        ..lattice.clone()
     };
     let block = lattice.block().ok()?;
     let end = block.faces[1].clone();

@@ -8,5 +8,7 @@ mod describe;
 mod ends;
 pub(super) mod fields;
 mod parts;
+mod places;
 pub(super) mod sets;
+mod skin;
 mod warnings;

@@ -1,14 +1,16 @@
 //! What is known to make a number of a solid wrong, looked for before it is run.
 
+use std::collections::BTreeMap;
+
 use peridynamics::Solid;
-use sph_core::{NodePlaces, Vec3};
+use sph_core::{BlockLattice, NodePlaces, Vec3};
 
 use super::bending::stiffness;
+use super::conditions::inward;
 use super::ends::excess;
-use super::sets::NodeSets;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::sets::OF_SOLIDS;
-use crate::scene::{Analysis, Correction, Measured, SolidScene, Support};
+use crate::scene::{Analysis, Correction, Load, Measured, SolidScene, Support};
 use crate::warning::{Warning, WarningKind};
 
 /// A rule: what is doubtful, and whether it is so.
@@ -29,11 +31,18 @@ struct Look<'a> {
     scene: &'a BodyInScene<'a>,
     body: &'a SolidScene,
     solid: &'a Solid,
+    lattice: &'a BlockLattice,
+    sets: &'a BTreeMap<String, Vec<u32>>,
 }
 
 /// What is doubtful about the solid of a scene.
-pub(super) fn warnings_of(scene: &BodyInScene<'_>, body: &SolidScene, solid: &Solid) -> Vec<Warning> {
-    let look = Look { scene, body, solid };
+pub(super) fn warnings_of(
+    scene: &BodyInScene<'_>,
+    body: &SolidScene,
+    solid: &Solid,
+    (lattice, sets): (&BlockLattice, &BTreeMap<String, Vec<u32>>),
+) -> Vec<Warning> {
+    let look = Look { scene, body, solid, lattice, sets };
     RULES.iter().filter_map(|(kind, rule)| Some(Warning::new(*kind, rule(&look)?))).collect()
 }
 
@@ -81,21 +90,22 @@ fn few_layers(look: &Look<'_>) -> Option<String> {
     if look.body.has_directors() {
         return None;
     }
-    let lattice = look.body.lattice();
+    let lattice = look.lattice;
     let (cells, lengths) = (lattice.cells().ok()?, &lattice.lengths[..lattice.dimensions]);
     let along = (0..lengths.len()).max_by(|&a, &b| lengths[a].total_cmp(&lengths[b]))?;
     let modes = matches!(look.scene.analysis, Analysis::Modal(_) | Analysis::Buckling(_));
     let slender = |&axis: &usize| {
-        let bent = modes || bends(look, axis);
+        let bent = modes || bends(look, axis) || axis != along && turns(look, [along, axis]);
         axis != along && lengths[along] >= SLENDER * lengths[axis] && bent
     };
-    let stiffness = |axis: usize| Some((axis, stiffness(look.body, [along, axis])?));
+    let stiffness = |axis: usize| Some((axis, stiffness(look.body, lattice, [along, axis])?));
     let off = |&(_, stiffness): &(usize, f64)| (stiffness - 1.0).abs();
     let (axis, stiffness) =
         (0..lengths.len()).filter(slender).filter_map(stiffness).max_by(|a, b| off(a).total_cmp(&off(b)))?;
     let longer = behind_clamps(look, [along, axis]);
     // Deflections go by the cube of the length, of loads all over by its fourth power, frequencies and buckling loads by its square.
-    let spread = look.scene.loads.iter().any(|load| load.traction.is_some() || load.gravity.is_some());
+    let by_area = |load: &Load| load.traction.is_some() || load.pressure.is_some();
+    let spread = look.scene.loads.iter().any(|load| by_area(load) || load.gravity.is_some());
     let power = if spread { 4.0 } else { 3.0 };
     let (what, factor, by_clamps) = match &look.scene.analysis {
         Analysis::Modal(_) => {
@@ -137,7 +147,7 @@ fn few_layers(look: &Look<'_>) -> Option<String> {
 /// centres of cells hold it about a spacing behind the face of the clamp, half of it their place and half what their bonds give way by. Gates of 5 and
 /// 10 layers in plane strain are as soft as if it were .6 to 1.3 spacings.
 fn behind_clamps(look: &Look<'_>, [along, across]: [usize; 2]) -> f64 {
-    let lattice = look.body.lattice();
+    let lattice = look.lattice;
     if lattice.nodes != NodePlaces::Centres {
         return 0.0;
     }
@@ -161,7 +171,9 @@ fn behind_clamps(look: &Look<'_>, [along, across]: [usize; 2]) -> f64 {
 fn bends(look: &Look<'_>, axis: usize) -> bool {
     let (scene, arc) = (look.scene, look.body.geometry.arc.is_some());
     let loads = scene.loads.iter().flat_map(|load| {
-        [load.force.map(|f| f.total), load.traction.map(|t| t.value), load.gravity.map(|g| g.acceleration)]
+        let pressed = load.pressure.as_ref().and_then(|_| inward(load.on));
+        let others = [load.force.map(|f| f.total), load.traction.map(|t| t.value)];
+        [others[0], others[1], load.gravity.map(|g| g.acceleration), pressed.map(Into::into)]
     });
     let motions = scene.supports.iter().map(|support| support.moved.map(|moved| moved.direction));
     let bends = |v: [f64; 3]| match (arc, axis) {
@@ -170,6 +182,12 @@ fn bends(look: &Look<'_>, axis: usize) -> bool {
         _ => across(v, axis),
     };
     loads.chain(motions).flatten().any(bends)
+}
+
+/// Whether a set that turns bends a member along an axis in the plane of it and another one.
+fn turns(look: &Look<'_>, [along, across]: [usize; 2]) -> bool {
+    let mut turned = look.scene.supports.iter().filter_map(|support| support.turned);
+    turned.any(|turned| self::across(turned.axis, 3 - along - across))
 }
 
 /// Whether a vector has more than a tenth of its length along an axis.
@@ -182,11 +200,13 @@ const FACE: f64 = 0.05;
 
 /// A face that is pulled along its normal moves farther than its strain says where bonds are missing, and a column reads it.
 fn loaded_face(look: &Look<'_>) -> Option<String> {
-    let (scene, lattice) = (look.scene, look.body.lattice());
+    let (scene, lattice) = (look.scene, look.lattice);
     let pulled = |face: &str, axis: usize| {
         scene.loads.iter().filter(|load| load.on == face).any(|load| {
             let spread = load.traction.filter(|traction| traction.depth.is_none());
-            let values = [load.force.map(|force| force.total), spread.map(|traction| traction.value)];
+            let pressed = load.pressure.as_ref().and_then(|_| inward(load.on)).map(Into::into);
+            let values =
+                [load.force.map(|force| force.total), spread.map(|traction| traction.value), pressed];
             values.into_iter().flatten().any(|value| across(value, axis))
         })
     };
@@ -196,7 +216,7 @@ fn loaded_face(look: &Look<'_>) -> Option<String> {
     let faces = OF_SOLIDS[1..].iter().enumerate().take(2 * lattice.dimensions);
     let mut found = faces.filter(|(number, face)| pulled(face, number / 2) && read(face)).peekable();
     found.peek()?;
-    let excess = excess(look.body)?;
+    let excess = excess(look.body, lattice)?;
     found.find_map(|(number, face)| {
         let part = excess * look.solid.block().spacing[number / 2] / lattice.lengths[number / 2];
         (part.abs() > FACE).then(|| {
@@ -223,13 +243,12 @@ fn soft_skin(look: &Look<'_>) -> Option<String> {
 
 /// A motion that is prescribed on less than the depth of the horizon acts on part of each family only.
 fn thin_layer(look: &Look<'_>) -> Option<String> {
-    let motions = || look.scene.supports.iter().filter(|support| support.moved.is_some());
+    let motions = || look.scene.supports.iter().filter(|support| support.motion().is_some());
     if look.body.has_directors() || motions().next().is_none() {
         return None;
     }
-    let (block, lattice) = (look.solid.block(), look.body.lattice());
+    let block = look.solid.block();
     let horizon = look.body.formulation.horizon() * block.greatest_spacing();
-    let sets = NodeSets::find(look.scene, &lattice, block, &block.positions).ok()?;
     let extent = |places: &mut dyn Iterator<Item = f64>| {
         let (least, most) =
             places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
@@ -243,7 +262,7 @@ fn thin_layer(look: &Look<'_>) -> Option<String> {
         (own < whole - 0.5 * spacing).then_some(own + spacing)
     };
     motions().find_map(|support| {
-        let nodes = sets.at("", support.on).ok()?;
+        let nodes = look.sets.get(support.on)?;
         let depth = (0..block.dimensions).filter_map(|axis| depth(nodes, axis)).fold(f64::INFINITY, f64::min);
         // A layer as deep as the horizon holds the nodes whose places lie in it.
         (depth < horizon - block.greatest_spacing() * (0.5 - 1e-6)).then(|| {

@@ -217,6 +217,10 @@ pub(super) fn without_surface(solid: &SolidScene) -> Option<&'static str> {
         Some("a body in space: a plane one has no faces that others touch")
     } else if solid.has_directors() {
         Some("a shell, or a solid with layers of nodes: two sheets have none")
+    } else if solid.geometry.filled.is_some() {
+        Some(
+            "a block, whose nodes all stand half a spacing behind its faces: those that fill a surface do not",
+        )
     } else if bonds && solid.lattice().grading != [1.0; 3] {
         Some("a solid of bonds on an even lattice, whose nodes are balls of one radius")
     } else {

@@ -206,9 +206,13 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     if solid.is_some_and(|own| own.material.yields()) {
         known.extend([PlasticStrain, PlasticWork]);
     }
-    if solid.is_some() {
+    if let Some(solid) = solid {
         known.extend([Damage, FractureEnergy, Pieces, StrainEnergy]);
         known.extend(stresses.into_iter().filter(|_| !scene.in_fluid));
+        // In space, of forces alone; a moment that swings was not looked at.
+        let in_space = !solid.is_plane() && !solid.has_directors();
+        known
+            .extend((in_space && !matches!(scene.analysis, Analysis::Harmonic(_))).then_some(ReactionMoment));
     } else if !scene.in_fluid {
         known.extend([ReactionMoment, MembraneForce, BendingMoment, ShearForce, Energy]);
         known.extend(stresses);

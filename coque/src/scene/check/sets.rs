@@ -3,7 +3,9 @@
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::BodyScene;
-use crate::scene::sets::{BUILT_IN, EDGES, Made, OF_FLUIDS, OF_RIGID_BODIES, OF_SOLIDS, OF_WALLS, Region};
+use crate::scene::sets::{
+    BUILT_IN, EDGES, Made, OF_FILLED, OF_FLUIDS, OF_RIGID_BODIES, OF_SOLIDS, OF_WALLS, Region,
+};
 use crate::scene::source::suggest;
 use crate::scene::walls::WallGeometry;
 
@@ -56,7 +58,7 @@ pub(super) fn check_sets(scene: &BodyInScene<'_>) -> Verdict {
                 let fault = s.fault(&at("face"), found, bound, "use a box: only solids have layers");
                 return Err(SceneError::Choice(fault));
             }
-            s.word(&at("face"), &layer.face, &built_in[1..])?;
+            s.word(&at("face"), &layer.face, &built_in[1..built_in.len().min(OF_SOLIDS.len())])?;
         }
         if let Some(region) = inside {
             s.sized_all(&format!("{at}.box.min"), &region.min)?;
@@ -93,6 +95,7 @@ pub(super) fn built_in(body: &BodyScene) -> &'static [&'static str] {
         BodyScene::Shell(_) => &BUILT_IN,
         // In a plane all nodes lie on z0 and z1: only two sheets have a use for that.
         BodyScene::Solid(solid) if solid.is_plane() => &OF_SOLIDS[..5],
+        BodyScene::Solid(solid) if solid.geometry.filled.is_some() => &OF_FILLED,
         BodyScene::Solid(_) => &OF_SOLIDS,
         BodyScene::Fluid(_) => &OF_FLUIDS,
         BodyScene::Rigid(_) => &OF_RIGID_BODIES,
@@ -105,7 +108,8 @@ pub(super) fn built_in(body: &BodyScene) -> &'static [&'static str] {
 
 /// Refuses a name that is no set; those of a mesh are known when its file has been read.
 pub(super) fn check_set_name(scene: &BodyInScene<'_>, path: &str, name: &str) -> Verdict {
-    if scene.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some()) {
+    let of_file = scene.as_solid().is_some_and(|solid| solid.geometry.filled.is_some());
+    if of_file || scene.as_shell().is_some_and(|shell| shell.geometry.mesh().is_some()) {
         return Ok(());
     }
     let own = scene.sets.keys().copied();

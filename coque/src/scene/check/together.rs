@@ -177,6 +177,18 @@ fn check_spacings(scene: &Scene) -> Verdict {
     let spacing = fluid.geometry.spacing();
     for (body, wanted) in &scene.bodies {
         let BodyScene::Solid(solid) = wanted else { continue };
+        if solid.geometry.filled.is_some() {
+            let bound =
+                "a block beside a fluid, to which each node is a wall particle of the size of its own";
+            let repair = "use a block, or a shell with the surface of the body";
+            let s = scene.source.body(body, "solid");
+            return Err(SceneError::Choice(s.fault(
+                "geometry.filled",
+                "a surface that nodes fill",
+                bound,
+                repair,
+            )));
+        }
         let lattice = solid.lattice();
         // Lengths and spacings were checked before.
         let Ok(cells) = lattice.cells() else { continue };

@@ -9,7 +9,7 @@ use crate::scene::bounded::Positive;
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// The file, relative to the folder of the scene: `.msh`, `.inp`, `.stl`, `.obj`, `.vtu` or `.csv`.
+    /// The file, relative to the folder of the scene: `.msh`, `.inp`, `.stl`, `.obj`, `.ply`, `.vtu` or `.csv`.
     pub file: String,
     /// Factor on all lengths of the file, such as 0.001 from mm to m.
     #[serde(default = "unscaled")]
@@ -19,6 +19,6 @@ pub struct Mesh {
     pub flip: bool,
 }
 
-fn unscaled() -> Positive {
+pub(in crate::scene) fn unscaled() -> Positive {
     Positive::usual(1.0)
 }

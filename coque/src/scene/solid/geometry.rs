@@ -1,4 +1,4 @@
-//! The nodes of a solid: a box in rows, straight or bent, and what is cut out of it.
+//! The nodes of a solid: a box in rows, straight or bent, and what is cut out of it; or a lattice in a closed surface.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -6,9 +6,10 @@ use sph_core::{BlockLattice, Vec3};
 
 use crate::scene::bounded::{BlockGrading, Displaced, Positive};
 use crate::scene::per_axis::PerAxis;
+use crate::scene::shell::mesh::{Mesh, unscaled};
 use crate::scene::solid::SolidScene;
 
-/// The nodes of a solid: exactly one of `block` and `arc` is given.
+/// The nodes of a solid: exactly one of `block`, `arc` and `filled` is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolidGeometry {
@@ -16,7 +17,9 @@ pub struct SolidGeometry {
     pub block: Option<Block>,
     /// Part of a cylinder with its thickness, of a Galerkin solid.
     pub arc: Option<Arc>,
-    /// What is cut out of it: a node goes where its place lies in one of these.
+    /// What a closed surface from a file encloses, of a solid of bonds.
+    pub filled: Option<FilledSurface>,
+    /// What is cut out of a block: a node goes where its place lies in one of these.
     #[serde(default)]
     pub cut_outs: Vec<CutOut>,
 }
@@ -60,6 +63,27 @@ pub struct Arc {
     pub thickness: Positive,
     /// Cells along the arc, along y and across; nodes stand at their corners.
     pub cells: [usize; 3],
+}
+
+/// A closed surface that looks outwards, filled with nodes of a cubic lattice.
+///
+/// The surface cuts the cells of the lattice: a node has the volume of what of its cell lies inside and stands at the centroid of that, and cells
+/// less than half full go to the nodes beside them. Volume, centroid and area of the body are those of the surface. Groups of faces of the file are
+/// sets; so are `surface`, all of it, and `x0` to `z1`, what of it lies in the planes of the box round it.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FilledSurface {
+    /// The file, relative to the folder of the scene: `.stl`, `.obj`, `.ply`, `.msh`, `.inp` or `.vtu`. Of tetrahedra in a `.msh` it is what bounds
+    /// them.
+    pub file: String,
+    /// Distance between nodes \[L\]. The lattice begins at a flat end of the surface, else its middle is that of the box round it.
+    pub spacing: Positive,
+    /// Factor on all lengths of the file, such as 0.001 from mm to m.
+    #[serde(default = "unscaled")]
+    pub scale: Positive,
+    /// Whether to turn all faces to the other side, of a file whose faces look inwards.
+    #[serde(default)]
+    pub flip: bool,
 }
 
 /// Where nodes stand in the cells into which their spacing divides a box.
@@ -152,11 +176,11 @@ impl CutOut {
 }
 
 impl SolidScene {
-    /// The lattice of its nodes; of an arc that of the straight block that is bent to it, the middle surface at z = 0.
+    /// The lattice of its nodes; of an arc that of the straight block that is bent to it, the middle surface at z = 0. A surface that they fill has
+    /// one when its file has been read, without extent before.
     pub(crate) fn lattice(&self) -> BlockLattice {
         match (&self.geometry.block, self.geometry.arc) {
             (Some(block), _) => self.lattice_of(block),
-            // The checks leave an arc.
             (None, arc) => arc.map_or_else(empty, |arc| arc.straight()),
         }
     }
@@ -180,6 +204,24 @@ impl SolidScene {
             grading: [0, 1, 2].map(grading),
             disorder: disorder.map_or(0.0, |disorder| disorder.fraction.get()),
             seed: disorder.map_or(0, |disorder| disorder.seed),
+        }
+    }
+}
+
+impl FilledSurface {
+    /// Its file, as other bodies name one.
+    pub(crate) fn mesh(&self) -> Mesh {
+        Mesh { file: self.file.clone(), scale: self.scale, flip: self.flip }
+    }
+}
+
+impl SolidGeometry {
+    /// Key of what its nodes are.
+    pub(crate) fn word(&self) -> &'static str {
+        match (&self.block, &self.filled) {
+            (Some(_), _) => "block",
+            (None, Some(_)) => "filled",
+            (None, None) => "arc",
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Gmsh `.msh`, ASCII, versions 2.2 and 4.1: nodes, elements, physical groups, a view of normals.
+//! Gmsh `.msh`, ASCII, versions 2.2 and 4.1: nodes, elements, physical groups, a view of normals; of a body its tetrahedra.
 //!
 //! The layout is that of the section "MSH file format" of the Gmsh manual.
 
@@ -8,6 +8,10 @@ use super::words::Words;
 use crate::input::shortened;
 use crate::surface::MeshError;
 use crate::surface::raw::Raw;
+use crate::surface::tetrahedra::{Tetrahedron, bounded};
+
+/// The type of a tetrahedron of four nodes.
+const TETRAHEDRON: u64 = 4;
 
 /// Physical groups of an entity, or the names of groups: by dimension and number.
 type Key = (u64, i64);
@@ -24,12 +28,14 @@ struct Found {
     members: BTreeMap<Key, Vec<u32>>,
     /// Elements that belong to no physical group and are no face.
     loose: usize,
+    /// Tetrahedra of a body; none where sheets are read.
+    solids: Option<Vec<Tetrahedron>>,
 }
 
-/// Reads a text.
-pub(super) fn parse(text: &str) -> Result<Raw, MeshError> {
+/// Reads a text, of a `body` its tetrahedra too.
+pub(super) fn parse(text: &str, body: bool) -> Result<Raw, MeshError> {
     let mut words = Words::new(text);
-    let mut found = Found::default();
+    let mut found = Found { solids: body.then(Vec::new), ..Found::default() };
     let new_layout = format(&mut words)?;
     while let Some(word) = words.next() {
         let Some(section) = word.strip_prefix('$') else {
@@ -62,7 +68,7 @@ pub(super) fn parse(text: &str) -> Result<Raw, MeshError> {
             return Err(MeshError::at(line, what, format!("correct the counts in ${section}")));
         }
     }
-    Ok(found.finish())
+    found.finish()
 }
 
 /// Reads the header; true for 4.1.
@@ -223,6 +229,9 @@ impl Found {
         kind: u64,
         groups: &[i64],
     ) -> Result<(), MeshError> {
+        if let (TETRAHEDRON, Some(_)) = (kind, &self.solids) {
+            return self.tetrahedron(words, label);
+        }
         let (dimension, count) = shape(kind).map_err(|(what, repair)| {
             MeshError::at(words.line, format!("element {label} is {what}"), repair)
         })?;
@@ -247,6 +256,18 @@ impl Found {
             let group = self.members.entry((dimension, group.saturating_abs())).or_default();
             group.extend_from_slice(members);
         }
+        Ok(())
+    }
+
+    fn tetrahedron(&mut self, words: &mut Words<'_>, label: u64) -> Result<(), MeshError> {
+        let user = format!("element {label}");
+        let mut corners = [0; 4];
+        for corner in &mut corners {
+            let node = words.count(&format!("a node of {user}"))?;
+            *corner = self.raw.find(words.line, &user, node)?;
+        }
+        let line = words.line;
+        self.solids.iter_mut().for_each(|solids| solids.push(Tetrahedron { corners, label, line }));
         Ok(())
     }
 
@@ -291,7 +312,14 @@ impl Found {
         Ok(())
     }
 
-    fn finish(mut self) -> Raw {
+    fn finish(mut self) -> Result<Raw, MeshError> {
+        if let Some(solids) = self.solids.filter(|solids| !solids.is_empty()) {
+            let numbers = bounded(&mut self.raw, &solids)?;
+            let of_surfaces = self.members.iter_mut().filter(|((dimension, _), _)| *dimension == 2);
+            for (_, members) in of_surfaces {
+                *members = members.iter().filter_map(|&face| numbers[face as usize]).collect();
+            }
+        }
         for ((dimension, tag), members) in self.members {
             let kind = ["point", "line", "surface"][dimension.min(2) as usize];
             let name = self.names.get(&(dimension, tag)).filter(|name| !name.is_empty());
@@ -306,7 +334,7 @@ impl Found {
             let note = format!("points and lines in no physical group, left out: {}", self.loose);
             self.raw.notes.push(note);
         }
-        self.raw
+        Ok(self.raw)
     }
 }
 

@@ -6,6 +6,7 @@ mod double_cantilever;
 mod drift;
 mod falling_bar;
 mod hole;
+mod hollow_ball;
 mod kalthoff;
 mod measure;
 mod mode_one;
@@ -36,6 +37,7 @@ pub fn all() -> Vec<Case> {
             strip::case(),
             bar::case(),
             hole::case(),
+            hollow_ball::case(),
             double_cantilever::case(),
             wave::case(),
             torsion::case(),

@@ -31,10 +31,30 @@ pub(in super::super) fn check_solid_support(
     for (word, kind) in support.kinds() {
         match kind.on_nodes() {
             None => {
-                let bound = "`held`, `moved`, `symmetry` or `clamped` on a solid";
+                let bound = match solid.galerkin() {
+                    None => "`held`, `moved`, `turned`, `symmetry` or `clamped` on a solid",
+                    Some(_) => "`held`, `moved`, `symmetry` or `clamped` on a Galerkin solid",
+                };
                 let repair = "use held = { displacement = […] } with the directions that do not move";
                 let fault = s.fault(&support.at(word), &format!("`{word}`"), bound, repair);
                 return Err(SceneError::Choice(fault));
+            }
+            Some(OnNodes::Turned(_)) if solid.galerkin().is_some() => {
+                let bound = "`held`, `moved`, `symmetry` or `clamped` on a Galerkin solid";
+                let repair = "use moved = { direction = […], by = … } for a small turn, or a solid of bonds";
+                return Err(SceneError::Choice(s.fault(&support.at(word), "`turned`", bound, repair)));
+            }
+            Some(OnNodes::Turned(turned)) => {
+                if plane && (turned.axis[0] != 0.0 || turned.axis[1] != 0.0) {
+                    let repair = "a plane block turns in its plane: axis = [0, 0, 1]";
+                    return Err(s.value(
+                        &support.at("turned.axis"),
+                        format!("{:?}", turned.axis),
+                        "along z",
+                        repair,
+                    ));
+                }
+                continue;
             }
             Some(OnNodes::Held(held))
                 if word == "held" && !held.director.is_empty() && !solid.has_directors() =>
@@ -68,29 +88,33 @@ pub(in super::super) fn check_solid_load(
             LoadKind::Traction(traction) => {
                 s.in_plane(&format!("{at}.traction.value"), traction.value, plane)?
             }
-            LoadKind::Pressure(pressure) if solid.galerkin().is_some() => {
+            LoadKind::Pressure(pressure) => {
                 if pressure.values.is_some() {
                     let (value, bound) = ("numbers by particle", "one `value`, on a solid");
                     let repair = "remove `values`, or put pressures on several faces";
                     let fault = s.fault(&format!("{at}.pressure.values"), value, bound, repair);
                     return Err(SceneError::Choice(fault));
                 }
-                if !pressure.follower {
-                    let (value, bound) = ("a dead pressure", "one that follows, on a solid");
-                    let repair = "add follower = true, or use traction = { value = […] }";
-                    let fault = s.fault(&format!("{at}.pressure"), value, bound, repair);
-                    return Err(SceneError::Choice(fault));
-                }
-            }
-            LoadKind::Couple(_)
-            | LoadKind::Pressure(_)
-            | LoadKind::Gas(_)
-            | LoadKind::Volume(_)
-            | LoadKind::Temperature(_) => {
-                let bound = match solid.galerkin() {
-                    None => "`force`, `traction` or `gravity` on a solid",
-                    Some(_) => "`force`, `traction`, `pressure` or `gravity` on a solid",
+                let (value, bound, repair) = match (solid.galerkin(), pressure.follower) {
+                    (Some(_), false) => {
+                        let repair = "add follower = true, or use traction = { value = […] }";
+                        ("a dead pressure", "one that follows, on a Galerkin solid", repair)
+                    }
+                    (None, true) => {
+                        let repair = "remove `follower`, or use [bodies.NAME.solid.formulation.galerkin], whose faces it follows";
+                        (
+                            "a pressure that follows",
+                            "a dead one, on a solid of bonds: it acts on the faces at rest",
+                            repair,
+                        )
+                    }
+                    _ => continue,
                 };
+                let fault = s.fault(&format!("{at}.pressure"), value, bound, repair);
+                return Err(SceneError::Choice(fault));
+            }
+            LoadKind::Couple(_) | LoadKind::Gas(_) | LoadKind::Volume(_) | LoadKind::Temperature(_) => {
+                let bound = "`force`, `traction`, `pressure` or `gravity` on a solid";
                 let repair = "use traction = { value = […] } on a face: dead force by area";
                 let fault = s.fault(&format!("{at}.{word}"), &format!("`{word}`"), bound, repair);
                 return Err(SceneError::Choice(fault));
@@ -118,13 +142,21 @@ pub(in super::super) fn check_traction(scene: &BodyInScene<'_>, load: &OnSet<'_,
         let path = format!("{at}.traction.depth");
         return Err(SceneError::Choice(s.fault(&path, "a depth", "none without bonds", repair)));
     }
+    let faces = &built_in(scene.body)[1..];
+    if traction.depth.is_some() && solid.geometry.filled.is_some() && !faces[..6].contains(&load.on) {
+        let (path, repair) = (format!("{at}.traction.depth"), "remove it, or load one of x0 to z1");
+        let bound = "none but under a plane of the box round the surface";
+        return Err(SceneError::Choice(s.fault(&path, "a depth", bound, repair)));
+    }
     check_face(scene, load, "traction")
 }
 
-/// What acts by area acts on a face of the block; where shape functions carry it, also on a declared part of one.
+/// What acts by area acts on a face of the block; where shape functions carry it, also on a declared part of one. Of a surface that nodes fill each
+/// set has a part, which is known when its file has been read.
 pub(in super::super) fn check_face(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>, word: &str) -> Verdict {
     let part = scene.as_solid().is_some_and(|solid| solid.galerkin().is_some());
-    if part && scene.sets.contains_key(load.on) {
+    let filled = scene.as_solid().is_some_and(|solid| solid.geometry.filled.is_some());
+    if filled || part && scene.sets.contains_key(load.on) {
         return Ok(());
     }
     let faces = &built_in(scene.body)[1..];

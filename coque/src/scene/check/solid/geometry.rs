@@ -14,7 +14,9 @@ impl SolidScene {
         let mut given = Vec::new();
         given.extend(self.geometry.block.as_ref().map(|_| "block"));
         given.extend(self.geometry.arc.map(|_| "arc"));
-        s.exactly_one("geometry", "shape", &given, &["block", "arc"])?;
+        given.extend(self.geometry.filled.as_ref().map(|_| "filled"));
+        s.exactly_one("geometry", "shape", &given, &["block", "arc", "filled"])?;
+        self.check_filled(s)?;
         self.check_arc(s)?;
         self.geometry.block.as_ref().map_or(Ok(()), |block| self.check_block(block, s))?;
         self.check_layers(s)?;
@@ -66,6 +68,36 @@ impl SolidScene {
         Ok(())
     }
 
+    /// Nodes that fill a surface are those of bonds in space, and the surface has its own holes.
+    fn check_filled(&self, s: &Scope<'_>) -> Verdict {
+        let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
+            Err(SceneError::Choice(s.fault(key, value, bound, repair)))
+        };
+        if self.geometry.filled.is_none() {
+            return Ok(());
+        }
+        if self.galerkin().is_some() {
+            let bound = "a block or an arc of a Galerkin solid: the cells over which it integrates are not cut by a surface";
+            let repair = "use a block or an arc, or [bodies.NAME.solid.formulation.state-based]";
+            return refuse("geometry.filled", "a surface that nodes fill", bound, repair);
+        }
+        if self.has_directors() {
+            let bound = "a plane block of two sheets";
+            let repair = "give a block of two lengths and a thickness, or use [bodies.NAME.solid.formulation.state-based]";
+            return refuse("geometry.filled", "a surface that nodes fill", bound, repair);
+        }
+        if !self.geometry.cut_outs.is_empty() {
+            let repair = "cut the hole where the surface is made, so that its volumes are exact";
+            return refuse(
+                "geometry.cut_outs",
+                "a cut-out",
+                "none beside `filled`: the surface has its own holes",
+                repair,
+            );
+        }
+        Ok(())
+    }
+
     fn check_thickness(&self, block: &Block, s: &Scope<'_>) -> Verdict {
         let path = "geometry.block.thickness";
         match block.thickness {
@@ -86,6 +118,9 @@ impl SolidScene {
 
     /// Bonds must leave every line and plane.
     fn check_layers(&self, s: &Scope<'_>) -> Verdict {
+        if self.geometry.filled.is_some() {
+            return Ok(()); // what it is thick its file says
+        }
         let lattice = self.lattice();
         // Lengths and spacings were checked before.
         let Ok(cells) = lattice.cells() else { return Ok(()) };

@@ -1,0 +1,127 @@
+//! The surface of a solid whose nodes fill it: which parts of it have names, and what nodes bear of them.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use mesh_io::surface::Surface;
+use sph_core::{ClosedSurface, Facet, Filled, SurfaceFault, Vec3, by_node};
+
+use crate::bodies::Identity;
+use crate::bodies::from_file::surface;
+use crate::bodies::refusal::body_error;
+use crate::scene::FilledSurface;
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::error::SceneError;
+use crate::scene::sets::OF_FILLED;
+
+/// Where the surface stands in the scene.
+const KEY: &str = "geometry.filled";
+
+/// The surface of a solid.
+#[derive(Clone, Debug)]
+pub(in crate::bodies) struct Skin {
+    /// What nodes bear of it.
+    facets: Vec<Facet>,
+    /// Which triangles belong to each part that has a name: groups of the file, and what lies in the planes of the box round it.
+    parts: BTreeMap<String, Vec<bool>>,
+    /// What it is, in words.
+    pub described: String,
+    pub identity: Identity,
+}
+
+/// The nodes of a solid that fill the surface that its scene names.
+///
+/// # Errors
+/// [`SceneError::Mesh`] for a file that holds no sound surface, [`SceneError::Model`] for one that encloses no body.
+pub(super) fn filled(scene: &BodyInScene<'_>, wanted: &FilledSurface) -> Result<(Filled, Skin), SceneError> {
+    let (surface, identity) = surface(scene, &wanted.mesh(), KEY)?;
+    let (triangles, faces) = triangles(&surface);
+    let closed = ClosedSurface::new(surface.positions.clone(), triangles);
+    let closed = closed.map_err(|fault| refused(scene, &fault))?;
+    let filled = closed.filled(wanted.spacing.get()).map_err(|fault| refused(scene, &fault))?;
+    let (volume, centroid) = closed.volume();
+    let area: f64 = filled.facets.iter().map(|facet| facet.area.norm()).sum();
+    let described = format!(
+        "{} triangles of {} enclose a volume of {volume:.6e} round ({:.4e}, {:.4e}, {:.4e}), their area is {area:.6e}; nodes fill it exactly",
+        faces.len(),
+        surface.file,
+        centroid.x,
+        centroid.y,
+        centroid.z,
+    );
+    let mut parts = BTreeMap::new();
+    for (name, of_group) in &surface.face_sets {
+        if OF_FILLED.contains(&name.as_str()) {
+            let value =
+                format!("{}: a group is called {name}, which names another set of every solid", surface.file);
+            let bound = "another name";
+            let fault = scene.body_scope().fault(&format!("{KEY}.file"), &value, bound, "rename the group");
+            return Err(SceneError::Mesh(fault));
+        }
+        let of_group: BTreeSet<u32> = of_group.iter().copied().collect();
+        parts.insert(name.clone(), faces.iter().map(|face| of_group.contains(face)).collect());
+    }
+    for (name, flat) in OF_FILLED[1..7].iter().zip(&filled.flat) {
+        parts.insert((*name).into(), flat.clone());
+    }
+    parts.insert(OF_FILLED[7].into(), vec![true; faces.len()]);
+    let skin = Skin { facets: filled.facets.clone(), parts, described, identity };
+    Ok((filled, skin))
+}
+
+/// Triangles of the faces, each with the number of its face; sheets that fold are one surface again, and nodes on one place one node.
+fn triangles(surface: &Surface) -> (Vec<[u32; 3]>, Vec<u32>) {
+    let mut first = HashMap::new();
+    // Adding zero makes −0 and 0 one.
+    let bits = |x: &Vec3| [x.x, x.y, x.z].map(|c| (c + 0.0).to_bits());
+    let place: Vec<u32> =
+        (0..).zip(&surface.positions).map(|(node, x)| *first.entry(bits(x)).or_insert(node)).collect();
+    let at = |node: u32| surface.positions[node as usize];
+    let (mut triangles, mut faces) = (Vec::new(), Vec::new());
+    for (number, face) in (0..).zip(&surface.faces) {
+        let [a, b, c, d] = face.corners.map(|node| place.get(node as usize).copied().unwrap_or(node));
+        if face.count == 3 {
+            triangles.push([a, b, c]);
+            faces.push(number);
+            continue;
+        }
+        // Along the diagonal whose halves are both on the side of the whole, the more even ones.
+        let normal = (at(c) - at(a)).cross(&(at(d) - at(b)));
+        let half = |[a, b, c]: [u32; 3]| (at(b) - at(a)).cross(&(at(c) - at(a))).dot(&normal);
+        let ways = [[[a, b, c], [a, c, d]], [[b, c, d], [b, d, a]]];
+        let [one, other] = ways.map(|halves| half(halves[0]).min(half(halves[1])));
+        triangles.extend(if other > one * (1.0 + 1e-9) { ways[1] } else { ways[0] });
+        faces.extend([number; 2]);
+    }
+    (triangles, faces)
+}
+
+fn refused(scene: &BodyInScene<'_>, fault: &SurfaceFault) -> SceneError {
+    let key = match fault {
+        SurfaceFault::Thin { .. } | SurfaceFault::Cells { .. } => "spacing",
+        _ => "file",
+    };
+    body_error(scene, &format!("{KEY}.{key}"), &fault.to_string())
+}
+
+impl Skin {
+    /// Nodes that bear a part of each part that has a name.
+    pub fn sets(&self) -> impl Iterator<Item = (String, Vec<u32>)> + '_ {
+        self.parts.iter().map(|(name, part)| {
+            let nodes = by_node(self.facets.iter().filter(|facet| part[facet.triangle as usize]));
+            (name.clone(), nodes.into_iter().map(|(node, ..)| node).collect())
+        })
+    }
+
+    /// The part of the surface that has this name, else what of it the nodes of a set bear.
+    pub fn facets(&self, name: &str, nodes: &[u32]) -> Vec<Facet> {
+        let held: BTreeSet<u32> = match self.parts.contains_key(name) {
+            true => BTreeSet::new(),
+            false => nodes.iter().copied().collect(),
+        };
+        let within = |facet: &&Facet| match self.parts.get(name) {
+            Some(part) => part[facet.triangle as usize],
+            None => held.contains(&facet.node),
+        };
+        self.facets.iter().filter(within).copied().collect()
+    }
+}

@@ -1,0 +1,106 @@
+//! Bodies whose nodes fill a closed surface: a thick hollow sphere under inner pressure beside Lamé's closed form.
+#![allow(clippy::unwrap_used)] // set-up that fails is a test that fails
+
+mod lattices;
+
+use explicit_dynamics::Amplitude;
+use implicit_statics::{Equilibrium, linear_response};
+use lattices::{formulation, parts};
+use peridynamics::*;
+use sph_core::{ClosedSurface, Facet, Filled, Vec3, by_node, spread};
+
+/// An eighth of a hollow sphere, its faces triangles; those of the cavity come first, then those of the outer sphere.
+fn octant(inner: f64, outer: f64, n: usize) -> (Vec<Vec3>, Vec<[u32; 3]>, usize) {
+    let mut vertices = Vec::new();
+    let mut grid = vec![vec![0; n + 1]; n + 1];
+    for i in 0..=n {
+        for j in 0..=n - i {
+            grid[i][j] = vertices.len() as u32;
+            vertices.push(Vec3::new(i as f64, j as f64, (n - i - j) as f64).normalize());
+        }
+    }
+    let mut sphere = Vec::new();
+    for i in 0..n {
+        for j in 0..n - i {
+            sphere.push([grid[i][j], grid[i + 1][j], grid[i][j + 1]]);
+            if i + j + 2 <= n {
+                sphere.push([grid[i + 1][j], grid[i + 1][j + 1], grid[i][j + 1]]);
+            }
+        }
+    }
+    // Out by as much as makes the volume under the triangles that of the sphere.
+    let cone = |&[a, b, c]: &[u32; 3]| {
+        let [a, b, c] = [a, b, c].map(|k| vertices[k as usize]);
+        a.dot(&b.cross(&c)) / 6.0
+    };
+    let out = libm::cbrt(std::f64::consts::PI / 6.0 / sphere.iter().map(cone).sum::<f64>());
+    let count = vertices.len() as u32;
+    let of = |radius: f64| vertices.iter().map(move |x| x * (radius * out)).collect::<Vec<_>>();
+    let all = [of(inner), of(outer)].concat();
+    let mut triangles: Vec<[u32; 3]> = sphere.iter().map(|&[a, b, c]| [a, c, b]).collect();
+    triangles.extend(sphere.iter().map(|corners| corners.map(|k| k + count)));
+    let mut edges: Vec<Vec<u32>> = vec![(0..=n).map(|j| grid[0][j]).collect()];
+    edges.push((0..=n).map(|i| grid[n - i][0]).collect());
+    edges.push((0..=n).map(|i| grid[i][n - i]).collect());
+    for edge in edges {
+        for pair in edge.windows(2) {
+            let [a, b] = [pair[0], pair[1]];
+            triangles.extend([[a + count, b + count, b], [a + count, b, a]]);
+        }
+    }
+    (all, triangles, n * n)
+}
+
+fn pressed(filled: &Filled, cavity: usize, pressure: f64, law: Law, horizon: f64) -> StaticSolid {
+    let of_cavity = filled.facets.iter().filter(|facet| (facet.triangle as usize) < cavity);
+    let forces: Vec<(Facet, Vec3)> = of_cavity.map(|facet| (*facet, facet.area * -pressure)).collect();
+    let forces = spread(&filled.block, &[0, 1, 2].map(|axis| (axis, 0.0)), &forces).forces;
+    let material = Elastic { young: 1.0, poisson: 0.25, density: 1.0 };
+    let formulation = Formulation { horizon, ..formulation(Space::Solid, law) };
+    let loads = vec![AppliedLoad { forces, amplitude: Amplitude::Constant }];
+    let parts = Parts { loads, ..parts(filled.block.clone(), material, formulation) };
+    let planes = [0, 1, 2].map(|axis| Mirror { axis, at: 0.0 });
+    StaticSolid::new(Solid::mirrored(parts, &planes).unwrap())
+}
+
+/// Radial displacement of Lamé's sphere of unit Young's modulus under a pressure of one inside.
+fn lame(r: f64, [a, b]: [f64; 2]) -> f64 {
+    let nu = 0.25;
+    let (a3, b3) = (a.powi(3), b.powi(3));
+    a3 / (b3 - a3) * ((1.0 - 2.0 * nu) * r + (1.0 + nu) * b3 / (2.0 * r * r))
+}
+
+/// Mean radial displacement of the nodes of a part of the surface over that of Lamé at their places.
+fn over_lame(filled: &Filled, solid: &Solid, pressure: f64, wanted: std::ops::Range<usize>) -> f64 {
+    let part = filled.facets.iter().filter(|facet| wanted.contains(&(facet.triangle as usize)));
+    let nodes = by_node(part);
+    let of = |node: usize| {
+        let x = solid.block().positions[node];
+        solid.displacement(node).dot(&x.normalize()) / pressure / lame(x.norm(), [1.0, 2.0])
+    };
+    let area: f64 = nodes.iter().map(|(_, area, _)| area).sum();
+    nodes.iter().map(|&(node, part, _)| part * of(node as usize)).sum::<f64>() / area
+}
+
+#[test]
+fn a_hollow_sphere_widens_as_lame_says() {
+    let (vertices, triangles, cavity) = octant(1.0, 2.0, 24);
+    let surface = ClosedSurface::new(vertices, triangles).unwrap();
+    let pressure = 1e-6;
+    let mut off = Vec::new();
+    for (spacing, horizon) in [(0.125, 1.5), (0.125, 2.015), (0.125, 3.015), (0.0909, 2.015)] {
+        let filled = surface.filled(spacing).unwrap();
+        let mut system = pressed(&filled, cavity, pressure, Law::StateBased, horizon);
+        let answer = linear_response(&mut system, 0.0).unwrap();
+        system.update(&answer);
+        let outer = over_lame(&filled, system.solid(), pressure, cavity..2 * cavity);
+        let inner = over_lame(&filled, system.solid(), pressure, 0..cavity);
+        println!("{spacing}, {horizon}: outer {outer:.4}, inner {inner:.4}");
+        // Asked 2 %; measured 1.7, .9, .6 and .6 % too stiff.
+        assert!((outer - 1.0).abs() < 0.02, "{outer}");
+        off.push((outer - 1.0).abs());
+        // The loaded face lacks bonds and moves too far, the more the wider the horizon: measured 10 to 42 % (docs/peridynamics.md).
+        assert!((1.0..1.5).contains(&inner), "{inner}");
+    }
+    assert!(off[3] < off[1], "it falls with the spacing: {off:?}");
+}
