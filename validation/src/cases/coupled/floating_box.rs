@@ -53,7 +53,7 @@ pub fn case() -> Case {
                 draught of its weight, one that is held under water the lift of what it displaces.",
         citation: "linear potential flow, benchmarks-ref/src/floating_box.rs; Archimedes",
         variants: vec![
-            swinging(0.02, COARSE).quick(),
+            swinging(0.02, COARSE),
             swinging(0.01, "10 spacings of draught"),
             placed([0.3, 0.5], "at rest").judged(|run, _| rests(run)),
             placed([0.1, 0.3], "held under water")
