@@ -10,8 +10,11 @@ use coque::{Ended, Outcome, Scene};
 
 const SLAB: &str = "two-span-cases.toml";
 
+/// A case, and the keys of a load with its numbers times a factor.
+type Acts = (&'static str, fn(f64) -> String);
+
 /// What acts on the plate: its case, and its line with all numbers times a factor.
-const LOADS: [(&str, fn(f64) -> String); 5] = [
+const LOADS: [Acts; 5] = [
     ("pushed", |f| format!("on = \"corner\", force = {{ total = [{:?}, {:?}, {:?}] }}", 0.4 * f, 0.2 * f, f)),
     ("pushed", |f| format!("on = \"v1\", couple = {{ moment = {:?}, axis = [1, 0, 0] }}", 0.3 * f)),
     ("blown", |f| format!("on = \"all\", pressure = {{ value = {:?}, follower = true }}", 20.0 * f)),

@@ -74,7 +74,7 @@ fn found(column: &ColumnOfFile, titles: &[&str], titled: bool) -> Result<usize, 
         ColumnOfFile::Name(name) => {
             let plain = |title: &str| title.split(" [").next().unwrap_or(title).trim().to_string();
             let same = |title: &&str| *title == name || plain(title) == *name;
-            titles.iter().position(|title| titled && same(&title)).ok_or_else(|| {
+            titles.iter().position(|title| titled && same(title)).ok_or_else(|| {
                 let bound = match titled {
                     true => {
                         format!("one of {}", titles.iter().map(|t| plain(t)).collect::<Vec<_>>().join(", "))
