@@ -18,8 +18,17 @@ pub struct Options {
 }
 
 /// Scenes in the plane, seen straight.
-const PLANE: [&str; 7] =
-    ["baffle", "crack-branching", "dam-break", "gate", "gate-bonds", "kalthoff", "shell-in-water"];
+const PLANE: [&str; 9] = [
+    "baffle",
+    "crack-branching",
+    "dam-break",
+    "floating-box",
+    "gate",
+    "gate-bonds",
+    "kalthoff",
+    "shell-in-water",
+    "wave-flume",
+];
 
 /// A scene on the page.
 struct Entry {

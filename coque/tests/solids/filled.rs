@@ -161,3 +161,17 @@ fn turned_ends_bear_a_torque() {
     let exact = 1000.0 / 2.6 * 0.1406 * 0.6_f64.powi(4) * 0.1_f64.to_radians() / 0.8;
     assert!((tip / exact - 1.0).abs() < 0.2, "{}", tip / exact);
 }
+
+/// Nodes of a loaded cavity lack bonds and move too far: a run that reads them warns of it, one that reads the other face does not.
+#[test]
+fn a_loaded_cavity_that_is_read_is_warned_of() {
+    let name = "meshes/hollow-ball.toml";
+    let origin = crate::common::scenes().join(name);
+    let warned = |on: &str| {
+        let changed = [("curve.0.on", on), ("bodies.ball.solid.geometry.filled.spacing", "12.5")];
+        let model = overridden(&text(name), origin.to_str().unwrap(), &changed).unwrap().build(1).unwrap();
+        model.warnings().iter().map(|warning| warning.kind).collect::<Vec<_>>()
+    };
+    assert_eq!(warned("cavity"), [coque::WarningKind::LoadedFace]);
+    assert!(warned("outer").is_empty());
+}

@@ -8,7 +8,7 @@ use sph_core::{BlockLattice, NodePlaces, Vec3};
 use super::bending::stiffness;
 use super::conditions::inward;
 use super::ends::excess;
-use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::sets::OF_SOLIDS;
 use crate::scene::{Analysis, Correction, Load, Measured, SolidScene, Support};
 use crate::warning::{Warning, WarningKind};
@@ -200,6 +200,11 @@ const FACE: f64 = 0.05;
 
 /// A face that is pulled along its normal moves farther than its strain says where bonds are missing, and a column reads it.
 fn loaded_face(look: &Look<'_>) -> Option<String> {
+    if look.body.geometry.filled.is_some()
+        && let Some(found) = loaded_surface(look)
+    {
+        return Some(found);
+    }
     let (scene, lattice) = (look.scene, look.lattice);
     let pulled = |face: &str, axis: usize| {
         scene.loads.iter().filter(|load| load.on == face).any(|load| {
@@ -228,6 +233,29 @@ fn loaded_face(look: &Look<'_>) -> Option<String> {
             )
         })
     })
+}
+
+/// The same of a piece of the surface that a body fills, of whatever shape: a column reads nodes that a load by area acts on.
+fn loaded_surface(look: &Look<'_>) -> Option<String> {
+    let nodes = |name: &str| look.sets.get(name).map_or(&[][..], Vec::as_slice);
+    let curved = |load: &&OnSet<'_, Load>| {
+        !OF_SOLIDS.contains(&load.on)
+            && (load.pressure.is_some() || load.traction.is_some_and(|traction| traction.depth.is_none()))
+    };
+    let read = |load: &&OnSet<'_, Load>| {
+        look.scene.curve.iter().any(|column| {
+            let own = nodes(column.on);
+            matches!(column.of, Measured::Displacement)
+                && !own.is_empty()
+                && own.iter().all(|node| nodes(load.on).contains(node))
+        })
+    };
+    let load = look.scene.loads.iter().filter(curved).find(read)?;
+    Some(format!(
+        "nodes of the loaded face `{}` lack bonds and move too far, in the wall of a hollow ball 8 spacings thick by 10, 18, 42 % with horizons of 1.5, 2, \
+         3 spacings: read the displacement of a section a horizon inside, or of the other face",
+        load.on
+    ))
 }
 
 /// Nodes near a face lack bonds; without a correction the skin through which a body is touched is soft.
