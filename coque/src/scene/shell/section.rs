@@ -19,7 +19,7 @@ pub enum Section {
     /// Plies on one another.
     Layered(Layered),
     /// Stiffness as it is given: sandwich, corrugated or stiffened sheets.
-    Stiffness(GivenStiffness),
+    Stiffness(Box<GivenStiffness>),
     /// The homogeneous sections that the file of the mesh gives to groups of its faces.
     File(OfFile),
 }
