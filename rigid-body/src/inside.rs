@@ -11,7 +11,7 @@ impl Outline {
     /// Whether it encloses a place: the solid angles of its faces from there, over those of a ball, sum to one inside and to none outside.
     ///
     /// A triangle whose corners a, b, c are seen from the place has `tan ½Ω = a·(b × c)/(|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)`
-    /// [vanoosterom1983].
+    /// \[vanoosterom1983\].
     pub fn encloses(&self, place: &Vec3) -> bool {
         if !self.within_bounds(place) {
             return false;
