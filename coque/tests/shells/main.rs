@@ -16,6 +16,7 @@ mod conjugate_gradients;
 mod enclosed;
 mod given;
 mod harmonic;
+mod harmonic_words;
 mod heat;
 mod imperfection;
 mod initial_stress;
