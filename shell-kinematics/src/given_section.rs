@@ -51,8 +51,8 @@ impl GivenSection {
             bending: even(bending),
             shear: even(shear),
         };
-        let fastest = stiffest(membrane).max(stiffest(bending) * 12.0 / (thickness * thickness));
-        Ok(Self { stiffness, scales: stiffness.scales(thickness, fastest) })
+        let scales = stiffness.scales(thickness, fastest(&stiffness, thickness));
+        Ok(Self { stiffness, scales })
     }
 }
 
@@ -97,14 +97,41 @@ fn positive<const N: usize>(what: &'static str, matrix: &[[f64; N]; N]) -> Resul
     Ok(())
 }
 
+/// No wave of displacements in the surface and turns meets more \[F/L\].
+///
+/// Turns times t/√12 have the mass of displacements, ρt for each area. A wave along n then meets the symmetric matrix of A(n), B(n)√12/t and
+/// D(n)·12/t², each of two rows, `X(n) = Σ X:(·⊗n):(·⊗n)`; no eigenvalue of it is greater than that of the norms a, b, d of the three,
+/// `(a + d)/2 + √(((a − d)/2)² + b²)`. The transverse shear S is no part of it: what it does to waves stands beside it, in [`SectionScales::shear`].
+fn fastest(Stiffness { membrane, coupling, bending, .. }: &Stiffness, thickness: f64) -> f64 {
+    let (a, d) = (stiffest(membrane), stiffest(bending) * 12.0 / (thickness * thickness));
+    let b = largest(coupling) * libm::sqrt(12.0) / thickness;
+    let half = 0.5 * (a - d).abs();
+    // As it stands here the greater of the two to the bit where nothing couples them.
+    a.max(d) + (libm::hypot(half, b) - half)
+}
+
 /// No direction is stiffer \[as the matrix\]: the mean over all directions and what changes with twice and four times the angle, as if
 /// they were greatest in one direction, where they are in an orthotropic sheet.
 ///
 /// A wave along n that moves along m meets `A:(m⊗n):(m⊗n)`, convex in the cosine between them and so greatest for m = ±n.
 fn stiffest(m: &Matrix3) -> f64 {
+    mean_over_directions(m) + changing(m)
+}
+
+/// What changes with twice and four times the angle, each where it is greatest.
+fn changing(m: &Matrix3) -> f64 {
     let twice = [0.5 * (m[0][0] - m[1][1]), m[0][2] + m[1][2]];
     let four = [(m[0][0] + m[1][1] - 2.0 * m[0][1] - 4.0 * m[2][2]) / 8.0, 0.5 * (m[0][2] - m[1][2])];
-    mean_over_directions(m) + libm::hypot(twice[0], twice[1]) + libm::hypot(four[0], four[1])
+    libm::hypot(twice[0], twice[1]) + libm::hypot(four[0], four[1])
+}
+
+/// The size of `m:(m⊗n):(m⊗n)`, of a matrix of either sign, is nowhere greater \[as the matrix\].
+///
+/// With c the cosine between m and n and α the sum of their angles it is `P c² + K` and what changes with α, of which the share of twice the angle has
+/// a factor c: linear in c² between its ends, K across and P + K along, the mean over all directions.
+fn largest(m: &Matrix3) -> f64 {
+    let across = (m[0][0] + m[1][1] - 2.0 * m[0][1] + 4.0 * m[2][2]) / 8.0;
+    mean_over_directions(m).abs().max(across.abs()) + changing(m)
 }
 
 impl Section for GivenSection {
