@@ -2,8 +2,12 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
 use crate::common::refused::refused;
-use crate::common::{last, ran};
+use crate::common::{column as values, last, ran, run, scenes};
 use coque::Scene;
 
 /// A cantilever under three forces at its end and a pressure, cut in its middle, in an analysis.
@@ -28,7 +32,7 @@ fn column(of: &str, axis: usize, more: &str) -> String {
     )
 }
 
-/// Force and moment through an oblique cut are those of the loads beyond it, about any point: in a linear answer to the rounding of its differences, in a
+/// Force and moment through an oblique cut are those of the loads beyond it, about any point: in a linear answer to the rounding of its differences, 3e-8 N and 1e-8 N m, in a
 /// balance to the residual that Newton's method leaves.
 #[test]
 fn what_is_applied_beyond_goes_through_a_cut() {
@@ -42,7 +46,7 @@ fn what_is_applied_beyond_goes_through_a_cut() {
     let plain = cantilever("linear = {}", &list);
     let balance = small(cantilever("static = { levels = 1, tolerance = 1e-12 }", &list));
     // In balance: places of 10 m, rounded, make 5e-8 of so small a load in so stiff a sheet; arms of the moved body differ by 7e-5.
-    for (text, size, of_forces, of_moments) in [(plain, 1.0, 1e-8, 1e-8), (balance, 1e-3, 1.5e-7, 2e-4)] {
+    for (text, size, of_forces, of_moments) in [(plain, 1.0, 3e-8, 4e-9), (balance, 1e-3, 1.5e-7, 2e-4)] {
         let found = ran(Scene::parse(&text, "cut.toml"));
         // A pressure of .1 along the normal on the cells of 2.5 m by 2 m: .5 N up.
         let force = [3.0, 2.0, 1.5];
@@ -97,6 +101,140 @@ fn cuts_that_are_none() {
         ),
         ("no direction", "\ndirection = [1.0, 0.0, 0.0]", ""),
         ("beside a rigid set", "[sets]", "rigid = [{ on = \"u1\" }]\n[sets]"),
+        ("a set beyond the cut", "on = \"all\"", "on = \"half\""),
+        ("a set before the cut", "on = \"all\"", "on = \"u0\""),
+        (
+            "a set that others join beyond the cut",
+            "[[curve]]\nname = \"section-force-0\"\nof = \"section-force\"\non = \"all\"",
+            "strip.box = { min = [2.4, -1.0, -1.0], max = [7.6, 1.1, 1.0] }\n[[curve]]\nname = \"section-force-0\"\nof = \"section-force\"\non = \"strip\"",
+        ),
     ];
     insta::assert_snapshot!(refused(&text, &cases));
+}
+
+/// A fork in a file: a stem of 3 by 5 and two prongs, each 7 by 2, pulled by forces of their own.
+fn fork(columns: &str) -> String {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("section-forces");
+    fs::create_dir_all(&folder).unwrap();
+    let (mut nodes, mut faces) = (String::new(), Vec::new());
+    let number = |i: usize, j: usize| 6 * i + j + 1;
+    for (i, j) in (0..11).flat_map(|i| (0..6).map(move |j| (i, j))) {
+        writeln!(nodes, "{} {i} {j} 0", number(i, j)).unwrap();
+        if i < 10 && j < 5 && (i < 3 || j != 2) {
+            faces.push([(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| number(i, j)));
+        }
+    }
+    let mut text = format!(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n66\n{nodes}$EndNodes\n$Elements\n{}\n",
+        faces.len()
+    );
+    for (k, [a, b, c, d]) in faces.into_iter().enumerate() {
+        writeln!(text, "{} 3 2 1 1 {a} {b} {c} {d}", k + 1).unwrap();
+    }
+    text.push_str("$EndElements\n");
+    let file = folder.join("fork.msh");
+    fs::write(&file, text).unwrap();
+    format!(
+        "title = \"Fork\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\nanalysis.linear = {{}}\n\
+         geometry.mesh.file = {file:?}\nmaterial.elastic = {{ young = 1e7, poisson = 0.3, density = 1.0 }}\n\
+         section.homogeneous.thickness = 0.2\nsupports = [{{ on = \"foot\", clamped = {{}} }}]\n\
+         loads = [{{ on = \"lower_end\", force = {{ total = [3.0, 2.0, 1.0] }} }}, {{ on = \"upper_end\", force = {{ total = [-5.0, 1.0, 2.0] }} }}]\n\
+         [sets]\nfoot.box = {{ min = [-0.1, -0.1, -0.1], max = [0.1, 5.1, 0.1] }}\n\
+         lower.box = {{ min = [2.9, -0.1, -0.1], max = [10.1, 2.1, 0.1] }}\nupper.box = {{ min = [2.9, 2.9, -0.1], max = [10.1, 5.1, 0.1] }}\n\
+         lower_end.box = {{ min = [9.9, -0.1, -0.1], max = [10.1, 2.1, 0.1] }}\nupper_end.box = {{ min = [9.9, 2.9, -0.1], max = [10.1, 5.1, 0.1] }}\n{columns}"
+    )
+}
+
+/// Through a prong of a fork goes what is applied to it, through both their sum, whichever plane cuts them.
+#[test]
+fn a_prong_bears_what_is_applied_to_it() {
+    let list: String = ["all", "lower", "upper"]
+        .iter()
+        .flat_map(|on| {
+            (0..3).map(move |axis| {
+                column("section-force", axis, "")
+                    .replace("\"all\"", &format!("\"{on}\""))
+                    .replace(&format!("force-{axis}\""), &format!("{on}-{axis}\""))
+            })
+        })
+        .collect();
+    let found = ran(Scene::parse(&fork(&list), "fork.toml"));
+    for (on, exact) in [("lower", [3.0, 2.0, 1.0]), ("upper", [-5.0, 1.0, 2.0]), ("all", [-2.0, 3.0, 3.0])] {
+        for (axis, exact) in exact.into_iter().enumerate() {
+            let through = last(&found, &format!("section-{on}-{axis}"));
+            // 2.4e-8 N of 5 N: what the differences of a linear answer round.
+            assert!((through - exact).abs() < 7e-8, "{on} {axis}: {through} {exact}");
+        }
+    }
+}
+
+/// A free bar that is pulled at one end, without Poisson's ratio: what goes through a cut of it is what is applied beyond less the change of momentum there.
+#[test]
+fn through_a_cut_in_time_goes_the_load_less_inertia() {
+    let (force, step) = (3.0, 2e-5);
+    let rows: Vec<usize> = (11..21).collect();
+    let mut columns = column("section-force", 0, "");
+    let back = THROUGH.replace("normal = [1.0, 0.2, 0.0]", "normal = [-1.0, -0.2, 0.0]");
+    columns += &column("section-force", 0, "").replace(THROUGH, &back).replace("section-force-0", "back");
+    let mut sets = String::new();
+    for row in &rows {
+        let x = 0.5 * *row as f64;
+        writeln!(
+            sets,
+            "row{row}.box = {{ min = [{:?}, -1.0, -1.0], max = [{:?}, 3.0, 1.0] }}",
+            x - 0.1,
+            x + 0.1
+        )
+        .unwrap();
+        writeln!(
+            columns,
+            "[[curve]]\nname = \"v{row}\"\nof = \"velocity\"\non = \"row{row}\"\ndirection = [1.0, 0.0, 0.0]"
+        )
+        .unwrap();
+    }
+    let straight = |text: String| {
+        text.replace("[4.6, 0.0, 0.0], normal = [1.0, 0.2, 0.0]", "[5.2, 0.0, 0.0], normal = [1.0, 0.0, 0.0]")
+    };
+    let columns = straight(columns)
+        .replace("[4.6, 0.0, 0.0], normal = [-1.0, -0.2, 0.0]", "[5.2, 0.0, 0.0], normal = [-1.0, 0.0, 0.0]");
+    let text = format!(
+        "title = \"Bar\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\n\
+         analysis.explicit.transient = {{ duration = 8e-3, record_every = {step:?} }}\n\
+         geometry.plate = {{ lengths = [10.0, 2.0], particles = [21, 5] }}\n\
+         material.elastic = {{ young = 1e7, poisson = 0.0, density = 1.0 }}\nsection.homogeneous.thickness = 0.2\n\
+         loads = [{{ on = \"u1\", force = {{ total = [{force:?}, 0.0, 0.0] }} }}]\n[sets]\n{sets}{columns}"
+    );
+    let found = ran(Scene::parse(&text, "bar.toml"));
+    let (through, back) = (values(&found, "section-force-0"), values(&found, "back"));
+    // Rows of 0.5 by 2 by 0.2 of the density 1; the last is half as wide.
+    let speeds: Vec<Vec<f64>> = rows.iter().map(|row| values(&found, &format!("v{row}"))).collect();
+    let momentum: Vec<f64> = (0..through.len())
+        .map(|i| {
+            rows.iter().zip(&speeds).map(|(&row, v)| if row == 20 { 0.1 * v[i] } else { 0.2 * v[i] }).sum()
+        })
+        .collect();
+    // Velocities are those half a step later: forces act for half of the first step, for a whole one of each other.
+    let (mut impulse, mut most, mut greatest) = (0.0, 0.0_f64, 0.0_f64);
+    for (i, momentum) in momentum.iter().enumerate() {
+        impulse += (if i == 0 { 0.5 * step } else { step }) * (force - through[i]);
+        most = most.max((impulse - momentum).abs());
+        greatest = greatest.max(momentum.abs());
+    }
+    // The wave has run to both ends and back: the cut has borne more than the load, and all between.
+    let [low, high] = [f64::min, f64::max].map(|of| through.iter().copied().reduce(of).unwrap());
+    assert!(low < 0.0 && high > force, "{low} {high}");
+    // Rounding, 1e-15.
+    assert!(most < 4e-15 * greatest, "{most:e} {greatest:e}");
+    // Internal forces of a free body add up to nothing: rounding, 1.2e-15 of the load.
+    let uneven = through.iter().zip(&back).fold(0.0_f64, |most, (a, b)| most.max((a + b).abs()));
+    assert!(uneven < 4e-15 * force, "{uneven:e}");
+}
+
+/// The ligament beside a hole bears the load.
+#[test]
+fn the_load_goes_through_the_ligament() {
+    let file = format!("{:?}", scenes().join("meshes/open-hole.inp"));
+    let found = run("meshes/open-hole.toml", &[("geometry.mesh.file", &file)]);
+    let off = last(&found, "through_ligament") / 900.0 - 1.0;
+    assert!(off.abs() < 2e-13, "{off:e}");
 }

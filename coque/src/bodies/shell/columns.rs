@@ -134,7 +134,7 @@ impl Builder<'_> {
         Ok((plies, of))
     }
 
-    /// The particles of a set that lie beyond a cut at rest.
+    /// The particles of a set that lie beyond a cut at rest, where the set lies on both sides of it and nothing else joins it beyond.
     fn beyond(
         &self,
         column: &OnSet<'_, scene::Probe>,
@@ -147,14 +147,39 @@ impl Builder<'_> {
         let (point, normal) = (self.turned(through.point), self.turned(through.normal));
         let is_beyond = |a: usize| (shell.rest_position(a) - point).dot(&normal) > 0.0;
         let beyond: Vec<u32> = all.iter().copied().filter(|&a| is_beyond(a as usize)).collect();
-        let sides = [beyond.is_empty(), (0..shell.len()).all(is_beyond)];
+        let sides = [beyond.is_empty(), beyond.len() == all.len()];
         if let Some(side) = sides.into_iter().position(|empty| empty) {
-            let lies = if side == 0 { "no particle of the set lies beyond it" } else { "all lie beyond it" };
-            let (bound, repair) =
-                (format!("a cut through the shell: {lies}"), "move its point into the shell");
+            let lies = if side == 0 { "no particle of it lies beyond" } else { "all of it lies beyond" };
+            let bound = format!("a cut through the set \"{}\": {lies}", column.on);
+            let repair = "move its point into the set, or take a set that lies on both sides";
             let value = format!("{:?}", through.point);
             return Err(self.scene.source.value(&column.at("through.point"), value, &bound, repair));
         }
-        Ok(beyond)
+        let Some(other) = joined_beyond(&beyond, &is_beyond, shell) else { return Ok(beyond) };
+        let x = self.turn_back(&shell.rest_position(other));
+        let bound = format!(
+            "but beyond the cut it hangs together with a particle that is not in it, at [{:.4}, {:.4}, {:.4}]: what these bear from \
+             each other goes through no cut",
+            x.x, x.y, x.z
+        );
+        let repair = "take on = \"all\", or a set that nothing else joins beyond the cut, such as one leg of a frame to its end";
+        let value = format!("\"{}\"", column.on);
+        Err(SceneError::Set(self.scene.source.fault(&column.at("on"), &value, &bound, repair)))
     }
+}
+
+/// A particle beyond a cut that is none of `beyond` and shares a stencil or a junction with one of them: forces that are summed over these alone
+/// would hold what goes between the two.
+fn joined_beyond(beyond: &[u32], is_beyond: &dyn Fn(usize) -> bool, shell: &Shell) -> Option<usize> {
+    let mut within = vec![false; shell.len()];
+    beyond.iter().for_each(|&a| within[a as usize] = true);
+    let other = |particles: &[u32]| {
+        let mut all = particles.iter().map(|&a| a as usize);
+        let other = all.clone().find(|&a| !within[a] && is_beyond(a))?;
+        all.any(|a| within[a]).then_some(other)
+    };
+    let reference = shell.reference();
+    let operator = &reference.operator;
+    let of_points = (0..operator.points.len()).find_map(|p| other(operator.stencil(p).particles));
+    of_points.or_else(|| reference.cloud.joined.iter().find_map(|group| other(group)))
 }
