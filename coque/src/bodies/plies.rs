@@ -1,5 +1,7 @@
 //! Stresses of the plies of a shell at points where its strains are sampled, and how near to failure they are.
 
+use std::collections::BTreeMap;
+
 use shell_kinematics::{LayeredSection, Margin, Through};
 use sph_shell::Shell;
 
@@ -12,9 +14,10 @@ pub(crate) const MOST_RESERVE: f64 = 1e3;
 /// The plies at some points of a shell.
 #[derive(Clone, Debug)]
 pub(crate) struct Plies {
+    /// Of the sections of the points, each once.
     laminates: Vec<Option<LayeredSection>>,
     heated: bool,
-    /// Of each point the number of its section, and the height of its middle over the particles \[L\].
+    /// Of each point its place among these, and the height of its middle over the particles \[L\].
     points: Vec<(usize, f64)>,
 }
 
@@ -32,8 +35,16 @@ pub(crate) enum OfPlies {
 impl Plies {
     /// Those at sampling points of a shell.
     pub fn of(shell: &Shell, points: impl Iterator<Item = usize>) -> Self {
-        let at = |point: usize| (shell.laminate_at(point), shell.section_at(point).height);
-        Self { laminates: shell.laminates(), heated: shell.is_heated(), points: points.map(at).collect() }
+        let (mut laminates, mut places) = (Vec::new(), BTreeMap::new());
+        let mut at = |point: usize| {
+            let place = *places.entry(shell.section_number(point)).or_insert_with(|| {
+                laminates.push(shell.laminate(point));
+                laminates.len() - 1
+            });
+            (place, shell.section_at(point).height)
+        };
+        let points = points.map(&mut at).collect();
+        Self { laminates, heated: shell.is_heated(), points }
     }
 
     /// The most plies of any section.
@@ -72,9 +83,11 @@ impl Plies {
         Some((own, own.through(strains, height, resultants)))
     }
 
-    /// What a column takes of a point; zero where there is no such ply.
+    /// What a column takes of a point: where nothing is judged the greatest reserve factor, as in the fields; else zero where there is no such ply.
     pub fn value(&self, point: usize, of: OfPlies, numbers: &[f64; POINT_NUMBERS]) -> f64 {
-        let Some((own, through)) = self.through(point, numbers) else { return 0.0 };
+        let Some((own, through)) = self.through(point, numbers) else {
+            return if let OfPlies::Reserve(..) = of { MOST_RESERVE } else { 0.0 };
+        };
         let margin = |ply: Option<usize>, criterion: Criterion| margin(own, &through, ply, criterion);
         match of {
             OfPlies::Stress(ply, ..) if ply >= own.plies().len() => 0.0,

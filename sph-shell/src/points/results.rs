@@ -63,14 +63,13 @@ impl Shell {
         (&**section as &dyn Any).downcast_ref()
     }
 
-    /// The plies of its sections, that of cells in no region first; none of one whose stresses do not follow from its strains.
-    pub fn laminates(&self) -> Vec<Option<LayeredSection>> {
-        let all = std::iter::once(&self.material.section).chain(self.material.regions.sections());
-        all.map(|section| laminate_of(&**section)).collect()
+    /// The plies of the section of a sampling point; none of one whose stresses do not follow from its strains.
+    pub fn laminate(&self, point: usize) -> Option<LayeredSection> {
+        laminate_of(&**self.material.regions.section(&self.material.section, point))
     }
 
-    /// The number of the section of a sampling point among [`Shell::laminates`].
-    pub fn laminate_at(&self, point: usize) -> usize {
+    /// The number of the section of a sampling point: points of one number have one section.
+    pub fn section_number(&self, point: usize) -> usize {
         self.material.regions.number(point)
     }
 

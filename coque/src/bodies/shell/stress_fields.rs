@@ -3,6 +3,7 @@
 use std::io;
 
 use mesh_io::{At, FieldWriter, Values, rows};
+use shell_kinematics::{LayeredSection, Through};
 use sph_core::Vec3;
 use sph_shell::{PointResult, Shell};
 
@@ -18,6 +19,9 @@ const ONE_TWO: &[&str] = &["1", "2"];
 const OF_FIBRE: &[&str] = &["along", "across", "shear"];
 const FACES: [(&str, ShellFace); 3] =
     [("top", ShellFace::Top), ("middle", ShellFace::Middle), ("bottom", ShellFace::Bottom)];
+
+/// The plies at a point, and what goes through them; none where stresses do not follow from strains.
+type OfPoint<'a> = Option<(&'a LayeredSection, Through)>;
 
 /// The sampling points of a shell with their strains and resultants.
 pub(super) struct Stressed<'a> {
@@ -40,10 +44,16 @@ impl Stressed<'_> {
         let plies = Plies::of(self.shell, 0..self.results.len());
         // Of several bodies those show it that have it.
         let criterion = wanted.reserve.filter(|_| plies.any_strength());
+        let through: Vec<OfPoint<'_>> = (0..self.results.len())
+            .map(|i| {
+                let mut found = self.results[i];
+                plies.through(i, &numbers(&mut found))
+            })
+            .collect();
         if wanted.plies && !self.shell.homogeneous() {
-            self.plies(&plies, criterion, to)?;
+            self.plies(plies.most(), &through, criterion, to)?;
         }
-        criterion.map_or(Ok(()), |criterion| self.reserve(&plies, criterion, to))
+        criterion.map_or(Ok(()), |criterion| self.reserve(&through, criterion, to))
     }
 
     /// A row for each sampling point, in single precision.
@@ -93,22 +103,29 @@ impl Stressed<'_> {
     }
 
     /// Stresses of each ply at both of its faces; zero where a point has fewer plies.
-    fn plies(&self, plies: &Plies, reserve: Option<Criterion>, to: &mut dyn FieldWriter) -> io::Result<()> {
-        for ply in 0..plies.most() {
+    fn plies(
+        &self,
+        most: usize,
+        through: &[OfPoint<'_>],
+        reserve: Option<Criterion>,
+        to: &mut dyn FieldWriter,
+    ) -> io::Result<()> {
+        for ply in 0..most {
             let number = ply + 1;
             for (face, share) in [("bottom", 0.0), ("top", 1.0)] {
                 let name = format!("ply_{number}_{face}");
-                self.put(to, &name, Quantity::Stress, OF_FIBRE, |i| match self.through(plies, i) {
-                    Some((own, through)) if ply < own.plies().len() => own.ply_stress(ply, &through, share),
+                self.put(to, &name, Quantity::Stress, OF_FIBRE, |i| match &through[i] {
+                    Some((own, through)) if ply < own.plies().len() => own.ply_stress(ply, through, share),
                     _ => [0.0; 3],
                 })?;
             }
             if let Some(criterion) = reserve {
                 let name = format!("ply_{number}_reserve_factor");
                 self.put(to, &name, Quantity::Ratio, &[], |i| {
-                    let found = self.through(plies, i);
-                    let own = found.map(|(own, through)| margin(own, &through, Some(ply), criterion).reserve);
-                    [own.unwrap_or(MOST_RESERVE).min(MOST_RESERVE)]
+                    let of = |(own, through): &(&LayeredSection, Through)| {
+                        margin(own, through, Some(ply), criterion).reserve
+                    };
+                    [through[i].as_ref().map_or(MOST_RESERVE, of).min(MOST_RESERVE)]
                 })?;
             }
         }
@@ -116,27 +133,23 @@ impl Stressed<'_> {
     }
 
     /// The least reserve factor, the number of its ply, zero where none has a strength, and the greatest failure index.
-    fn reserve(&self, plies: &Plies, criterion: Criterion, to: &mut dyn FieldWriter) -> io::Result<()> {
-        let of = |i: usize| {
-            let Some((own, through)) = self.through(plies, i) else { return [MOST_RESERVE, 0.0, 0.0] };
-            let worst = own.worst_ply(criterion.of_fibres(), &through);
+    fn reserve(
+        &self,
+        through: &[OfPoint<'_>],
+        criterion: Criterion,
+        to: &mut dyn FieldWriter,
+    ) -> io::Result<()> {
+        let of = |point: &OfPoint<'_>| {
+            let Some((own, through)) = point else { return [MOST_RESERVE, 0.0, 0.0] };
+            let worst = own.worst_ply(criterion.of_fibres(), through);
             let number = worst.map_or(0, |(ply, _)| ply + 1);
-            let all = margin(own, &through, None, criterion);
+            let all = margin(own, through, None, criterion);
             [all.reserve.min(MOST_RESERVE), number as f64, all.index]
         };
-        let found: Vec<[f64; 3]> = (0..self.results.len()).map(of).collect();
+        let found: Vec<[f64; 3]> = through.iter().map(of).collect();
         for (k, name) in ["reserve_factor", "worst_ply", "failure_index"].into_iter().enumerate() {
             self.put(to, name, Quantity::Ratio, &[], |i| [found[i][k]])?;
         }
         Ok(())
-    }
-
-    fn through<'p>(
-        &self,
-        plies: &'p Plies,
-        point: usize,
-    ) -> Option<(&'p shell_kinematics::LayeredSection, shell_kinematics::Through)> {
-        let mut found = self.results[point];
-        plies.through(point, &numbers(&mut found))
     }
 }
