@@ -2,10 +2,11 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+use crate::common::fluids::SHELL_GATE;
 use crate::common::refused::refused;
 use crate::common::sittings::stopped_again_and_again;
 use crate::common::{column, last, overridden, ran, run, text};
-use coque::Outcome;
+use coque::{Outcome, Scene};
 
 const JOINED: &str = "joined-cantilevers.toml";
 const NO_SPRING: (&str, &str) =
@@ -235,4 +236,36 @@ fn what_several_bodies_cannot_have_is_refused() {
         ("one column twice", "name = \"w_lower\"", "name = \"w_upper\""),
     ];
     insta::assert_snapshot!(refused(&text(JOINED), &cases));
+}
+
+/// What one body lacks the other may show; what does not follow from what a body is, is refused beside others as alone.
+#[test]
+fn fields_of_stresses_that_do_not_follow_are_refused_beside_other_bodies() {
+    let plain = "material.elastic = { young = 1.2e7, poisson = 0.0, density = 1000.0 }\nsection.homogeneous = { thickness = 0.01 }\n\n[[supports]]";
+    let plied = "material.orthotropic = { young_along = 1.2e7, young_across = 1e6, poisson = 0.3, shear = 1e6, density = 1000.0, strength = { \
+        along_tension = 1e4, along_compression = 1e4, across_tension = 1e3, across_compression = 2e3, shear = 1e3 } }\n\
+        section.layered = { axis = [1, 0, 0], plies = [{ thickness = 0.01, angle = 0 }] }\n\n[[supports]]";
+    let shown = text(JOINED).replace(plain, plied)
+        + "[output]\nfields = { plies = true, reserve = \"tsai-wu\", principal = true }\n";
+    Scene::parse(&shown, "scene.toml").unwrap().build(1).unwrap();
+    let yields = "angle = 0 }, { thickness = 0.01, material.plastic = { young = 1.2e7, poisson = 0.3, density = 1000.0, \
+        hardening.linear = { yield-stress = 1e4, slope = 1e5 } }, angle = 0";
+    let level = shown.replace("[analysis.linear]", "[analysis.static]\nlevels = 1\n");
+    let cases = [
+        ("a ply that yields", "angle = 0", yields),
+        ("von Mises with fibres", "reserve = \"tsai-wu\"", "reserve = \"von-mises\""),
+    ];
+    // In a fluid initial stresses are known as well.
+    let gate = "material.elastic = { young = 1e6, poisson = 0.3, density = 1100.0, strength = 1e4 }\n\
+        initial_stress = [{ on = \"all\", membrane = [1.0, 0.0, 0.0], axis = [0, 1, 0] }]";
+    let plain = "material.elastic = { young = 1e6, poisson = 0.3, density = 1100.0 }";
+    let wet = format!("output.fields.reserve = \"von-mises\"\n{SHELL_GATE}");
+    Scene::parse(&wet, "scene.toml").unwrap();
+    let reserve = level.replace("plies = true, ", "");
+    let all = [
+        refused(&level, &cases),
+        refused(&reserve, &cases[..1]),
+        refused(&wet, &[("a gate under stress before", plain, gate)]),
+    ];
+    insta::assert_snapshot!(all.concat());
 }

@@ -7,6 +7,7 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::BodyScene;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::material::Material;
+use crate::scene::shell::parts::ShellPart;
 use crate::scene::shell::section::Section;
 
 /// Refuses faces, plies, components and criteria of what has none, what lacks one, and stresses that do not run as they would have to.
@@ -22,7 +23,7 @@ pub(super) fn check_stress(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) ->
     }
     let value = format!("\"{}\"", of.word());
     check_by_plies(scene, shell, &probe.at("of"), &value)?;
-    if of == Measured::PlyStress && !sections(shell).any(|own| plies(&own) > 0) {
+    if of == Measured::PlyStress && !has_plies(shell) {
         let repair = "measure `stress`, or give [section.layered]";
         return Err(SceneError::Choice(scene.scope().fault(
             &probe.at("of"),
@@ -31,7 +32,7 @@ pub(super) fn check_stress(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) ->
             repair,
         )));
     }
-    let most = sections(shell).map(|own| plies(&own).max(1)).max().unwrap_or(1);
+    let most = sections(shell).map(|(_, section)| plies(section).max(1)).max().unwrap_or(1);
     if let Some(ply) = probe.ply.filter(|ply| ply.get() > most) {
         let bound = format!("from 1, the lowest, to {most}");
         return Err(scene.scope().value(&probe.at("ply"), ply, &bound, "count the plies from the lowest"));
@@ -96,14 +97,32 @@ fn check_keys(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     Ok(())
 }
 
-/// A shell and each of its parts.
-fn sections(shell: &ShellScene) -> impl Iterator<Item = ShellScene> + '_ {
-    (0..shell.parts.len()).map(|part| shell.in_part(part)).chain([shell.clone()])
+/// What each part of a shell is made of, then the shell.
+fn sections<'a>(shell: &'a ShellScene) -> impl Iterator<Item = (&'a Material, &'a Section)> {
+    let whole = (&shell.material, &shell.section);
+    let own = move |part: &'a ShellPart| {
+        (part.material.as_ref().unwrap_or(whole.0), part.section.as_ref().unwrap_or(whole.1))
+    };
+    shell.parts.iter().map(own).chain([whole])
+}
+
+/// Whether any of its materials is of a kind.
+fn any_material(shell: &ShellScene, of: impl Fn(&Material) -> bool) -> bool {
+    sections(shell).any(|(material, section)| section.materials(material).into_iter().any(&of))
+}
+
+/// Whether stresses run linearly through the thickness everywhere.
+fn runs_linearly(shell: &ShellScene) -> bool {
+    sections(shell).all(|(_, section)| section.homogeneous()) && !any_material(shell, Material::yields)
+}
+
+fn has_plies(shell: &ShellScene) -> bool {
+    sections(shell).any(|(_, section)| plies(section) > 0)
 }
 
 /// The number of plies; zero of what has none.
-fn plies(shell: &ShellScene) -> usize {
-    match &shell.section {
+fn plies(section: &Section) -> usize {
+    match section {
         Section::Layered(section) => section.plies.len(),
         Section::Homogeneous(_) | Section::Stiffness(_) | Section::File(_) => 0,
     }
@@ -111,11 +130,11 @@ fn plies(shell: &ShellScene) -> usize {
 
 /// Stresses at faces are those of sections through which they run linearly.
 fn check_linear(scene: &BodyInScene<'_>, shell: &ShellScene, probe: &OnSet<'_, Probe>) -> Verdict {
-    if !sections(shell).any(|own| !own.section.homogeneous() || own.yields_itself()) {
+    if runs_linearly(shell) {
         return Ok(());
     }
-    let given = sections(shell).any(|own| matches!(own.section, Section::Stiffness(_)));
-    let [bound, repair] = match shell.yields() {
+    let given = sections(shell).any(|(_, section)| matches!(section, Section::Stiffness(_)));
+    let [bound, repair] = match any_material(shell, Material::yields) {
         false if given => [
             "`membrane-force`, `bending-moment` or `shear-force` of a section of given stiffness, whose build is not known",
             "measure section forces, or describe the build by [section.layered]",
@@ -137,29 +156,25 @@ fn check_linear(scene: &BodyInScene<'_>, shell: &ShellScene, probe: &OnSet<'_, P
 fn check_by_plies(scene: &BodyInScene<'_>, shell: &ShellScene, path: &str, value: &str) -> Verdict {
     let refuse =
         |bound: &str, repair: &str| Err(SceneError::Choice(scene.scope().fault(path, value, bound, repair)));
-    if sections(shell).any(|own| own.measure_of_law().is_some()) {
-        let bound = "none of a shell with plasticity or rubber in it: stresses of its plies do not follow from its strains alone";
-        return refuse(bound, "make its materials elastic or orthotropic, or measure section forces");
+    let one = if scene.together { format!("`{}`, a shell", scene.name) } else { "a shell".into() };
+    if any_material(shell, |material| material.curvature().is_some()) {
+        let bound = format!(
+            "none of {one} with plasticity or rubber in it: stresses of its plies do not follow from its strains alone"
+        );
+        return refuse(&bound, "make its materials elastic or orthotropic, or measure section forces");
     }
     if !shell.initial_stress.is_empty() {
-        let bound = "none beside [[initial_stress]], which does not say what each ply bears of it";
-        return refuse(bound, "measure section forces, of a homogeneous shell `von-mises`");
+        let own = if scene.together { format!(" of `{}`", scene.name) } else { String::new() };
+        let bound =
+            format!("none beside [[initial_stress]]{own}, which does not say what each ply bears of it");
+        return refuse(&bound, "measure section forces, of a homogeneous shell `von-mises`");
     }
     Ok(())
 }
 
 /// A criterion wants a strength, and is one of the materials that have one.
 fn check_criterion(scene: &BodyInScene<'_>, shell: &ShellScene, criterion: Criterion, path: &str) -> Verdict {
-    let (mut fibres, mut plain) = (false, false);
-    for own in sections(shell) {
-        for material in own.section.materials(&own.material) {
-            match material {
-                Material::Orthotropic(own) => fibres |= own.strength.is_some(),
-                Material::Elastic(own) => plain |= own.strength.is_some(),
-                Material::Plastic(_) | Material::Rubber(_) | Material::Smeared(_) | Material::File(_) => {}
-            }
-        }
-    }
+    let [fibres, plain] = strengths(shell);
     let value = format!("\"{}\"", criterion.word());
     let refuse =
         |bound: &str, repair: &str| Err(SceneError::Choice(scene.scope().fault(path, &value, bound, repair)));
@@ -179,18 +194,24 @@ fn check_criterion(scene: &BodyInScene<'_>, shell: &ShellScene, criterion: Crite
     }
 }
 
-/// Fields of stresses that the body has not.
+/// Whether any of its materials has strengths of a fibre, or one of its own.
+fn strengths(shell: &ShellScene) -> [bool; 2] {
+    [
+        any_material(shell, |own| matches!(own, Material::Orthotropic(own) if own.strength.is_some())),
+        any_material(shell, |own| matches!(own, Material::Elastic(own) if own.strength.is_some())),
+    ]
+}
+
+/// Fields of stresses that the body has not, and that do not follow from what it is. Of several bodies those show them that have them: what one lacks
+/// is then no fault.
 pub(super) fn check_stress_fields(scene: &BodyInScene<'_>) -> Verdict {
     let Some(fields) = scene.output.fields else { return Ok(()) };
     let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
         Err(SceneError::Choice(scene.scope().fault(path, value, bound, repair)))
     };
-    // Of several bodies those show them that have them.
-    if scene.together {
-        return Ok(());
-    }
     let principal = "principal stresses";
     match scene.as_shell() {
+        None if scene.together => return Ok(()),
         None if fields.principal && scene.as_solid().is_none() => {
             return refuse(
                 "output.fields.principal",
@@ -212,24 +233,26 @@ pub(super) fn check_stress_fields(scene: &BodyInScene<'_>) -> Verdict {
         }
         None => return Ok(()),
         Some(shell) => {
-            if fields.principal
-                && sections(shell).any(|own| !own.section.homogeneous() || own.yields_itself())
-            {
+            if fields.principal && !scene.together && !runs_linearly(shell) {
                 let bound = "none where stresses do not run linearly through the thickness: of plies and of what yields";
                 let repair = "remove it; plies of elastic materials have `plies` and `reserve`";
                 return refuse("output.fields.principal", principal, bound, repair);
             }
-            if fields.plies {
+            if fields.plies && (has_plies(shell) || !scene.together) {
                 check_by_plies(scene, shell, "output.fields.plies", "stresses of plies")?;
-                if !sections(shell).any(|own| plies(&own) > 0) {
+                if !has_plies(shell) {
                     let repair = "remove it: `stresses` has those of both faces";
                     return refuse("output.fields.plies", "stresses of plies", "none without plies", repair);
                 }
             }
-            if let Some(criterion) = fields.reserve {
+            let [fibres, plain] = strengths(shell);
+            if let Some(criterion) = fields.reserve.filter(|_| fibres || plain || !scene.together) {
                 let path = "output.fields.reserve";
                 check_by_plies(scene, shell, path, &format!("\"{}\"", criterion.word()))?;
-                check_criterion(scene, shell, criterion, path)?;
+                // Beside the fibres of another body it is judged by its yield strength.
+                if fibres || !scene.together {
+                    check_criterion(scene, shell, criterion, path)?;
+                }
             }
         }
     }
