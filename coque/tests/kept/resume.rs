@@ -52,6 +52,15 @@ fn runs_with_rigid_sets_go_on_to_the_same_bits() {
     stopped_again_and_again("moved-body", &strip, &[rigid, march, ("supports", hinged)], 3);
 }
 
+/// Reserve factors, stresses of plies, forces through a cut: they follow from the state alone.
+#[test]
+fn runs_with_columns_of_plies_and_cuts_go_on_to_the_same_bits() {
+    let plies = include_str!("../metamorphic/plies.toml");
+    let march = ("analysis", "{ explicit = { transient = { duration = 2e-4, record_every = 2e-5 } } }");
+    stopped_again_and_again("plies", plies, &[("analysis.static.levels", "4")], 2);
+    stopped_again_and_again("plies-march", plies, &[march], 3);
+}
+
 #[test]
 fn quasi_static_runs_go_on_to_the_same_bits() {
     let coarse = ("geometry.plate.particles", "[17, 3]");

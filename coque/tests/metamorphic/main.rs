@@ -20,13 +20,14 @@ mod threads;
 mod touched;
 mod turned;
 mod units;
+mod upturned;
 
 use common::{Replaced, overridden, text};
 use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 56] = [
+const SCENES: [(&str, Replaced); 57] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -84,6 +85,7 @@ const SCENES: [(&str, Replaced); 56] = [
     ("../coque/tests/metamorphic/bar.toml", &[("analysis", "{ static = { levels = 3 } }")]),
     ("../coque/tests/metamorphic/plies.toml", &[]),
     ("../coque/tests/metamorphic/stressed.toml", &[]),
+    ("../coque/tests/metamorphic/given.toml", &[]),
     ("../coque/tests/metamorphic/bar.toml", &[("curve", STRESSES)]),
     ("thick-ring-solid.toml", &[("curve", STRESSES)]),
 ];
