@@ -35,7 +35,7 @@ fn tensor(row: &[f64]) -> Matrix3<f64> {
 }
 
 /// Runs a scene and holds its fields against the stress field, which lies in axes, and its columns against its fields.
-fn held(name: &str, scene: &Checked, axes: Matrix3<f64>, of_columns: bool) {
+fn held(name: &str, scene: &Checked, axes: Matrix3<f64>) {
     let files = folder(&format!("principal-{name}"));
     let wanted = scene.output.fields.unwrap();
     let found = fields::run(scene, &mut FieldFiles::create(&files, FieldFiles::LONE, &wanted).unwrap());
@@ -49,8 +49,8 @@ fn held(name: &str, scene: &Checked, axes: Matrix3<f64>, of_columns: bool) {
     for (node, row) in stress.chunks(6).enumerate() {
         let whole = axes * tensor(row) * axes.transpose();
         let s = &principal[3 * node..3 * node + 3];
-        // Single precision of both.
-        let near = |a: f64, b: f64| assert!((a - b).abs() < 2e-6 * size, "{name} {node}: {a} {b}");
+        // Single precision of both, 6e-8.
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 2e-7 * size, "{name} {node}: {a} {b}");
         near(s.iter().sum(), whole.trace());
         for (n, value) in [(first, s[0]), (third, s[2])] {
             let n = Vec3::from_column_slice(&n[3 * node..3 * node + 3]);
@@ -62,13 +62,10 @@ fn held(name: &str, scene: &Checked, axes: Matrix3<f64>, of_columns: bool) {
         (most, least) = (most.max(s[0]), least.min(s[2]));
         along = along.max((whole * e).dot(&e));
     }
-    if !of_columns {
-        return;
-    }
     for (column, exact) in [("greatest", most), ("least", least), ("along", along)] {
         let off = (last(&found, column) - exact).abs() / size;
-        // Single precision; a linear answer by differences.
-        assert!(off < 3e-6, "{name} {column}: {} {exact}", last(&found, column));
+        // Single precision, 6e-8.
+        assert!(off < 1e-7, "{name} {column}: {} {exact}", last(&found, column));
     }
 }
 
@@ -76,11 +73,11 @@ fn held(name: &str, scene: &Checked, axes: Matrix3<f64>, of_columns: bool) {
 fn principal_stresses_of_solids_are_those_of_their_stress() {
     let none = Matrix3::identity();
     let shear = ("loads", "[{ on = \"x1\", traction = { value = [2e-3, 1e-3, -5e-4] } }]");
-    held("bonds", &scene(BAR, "{ static = { levels = 1 } }", &[shear]), none, true);
+    held("bonds", &scene(BAR, "{ static = { levels = 1 } }", &[shear]), none);
     // Material axes turned by atan(4/3) about z.
     let turned = Matrix3::new(0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0);
     let axes = ("bodies.arc.solid.material.orthotropic.axes", "[[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0]]");
-    held("galerkin-linear", &scene(ARC, "{ linear = {} }", &[shear, axes]), turned, true);
+    held("galerkin-linear", &scene(ARC, "{ linear = {} }", &[shear, axes]), turned);
 }
 
 /// A bar in tension without time: the axis of its greatest principal stress lies along it.
@@ -94,8 +91,9 @@ fn a_pulled_bar_has_its_principal_axis_along_it() {
     let wanted = scene.output.fields.unwrap();
     let found = fields::run(&scene, &mut FieldFiles::create(&files, FieldFiles::LONE, &wanted).unwrap());
     let read = Read::new(&fields::listed(&files.join("shell.pvd")).last().unwrap().1);
-    // What the quadrature leaves on so few cells is a tenth at single nodes.
+    // Two cells across, quadrature leaves 2.8 % at the worst node, beside a corner, and an axis that is 0.16° off: three times as much.
     let axes = read.get("principal_direction_1");
-    assert!(axes.chunks(3).all(|n| n[0].abs() > 0.99), "{axes:?}");
-    assert!((last(&found, "greatest") / 1e-3 - 1.0).abs() < 0.3);
+    let least = libm::cos(0.48_f64.to_radians());
+    assert!(axes.chunks(3).all(|n| n[0].abs() > least), "{axes:?}");
+    assert!((last(&found, "greatest") / 1e-3 - 1.0).abs() < 0.085);
 }
