@@ -72,9 +72,11 @@ impl Plies {
         Some((own, own.through(strains, height, resultants)))
     }
 
-    /// What a column takes of a point; zero where there is no such ply.
+    /// What a column takes of a point; zero where there is no such ply, and the greatest reserve where nothing is judged.
     pub fn value(&self, point: usize, of: OfPlies, numbers: &[f64; POINT_NUMBERS]) -> f64 {
-        let Some((own, through)) = self.through(point, numbers) else { return 0.0 };
+        let Some((own, through)) = self.through(point, numbers) else {
+            return if matches!(of, OfPlies::Reserve(..)) { MOST_RESERVE } else { 0.0 };
+        };
         let margin = |ply: Option<usize>, criterion: Criterion| margin(own, &through, ply, criterion);
         match of {
             OfPlies::Stress(ply, ..) if ply >= own.plies().len() => 0.0,

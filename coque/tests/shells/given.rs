@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
 use crate::common::refused::refused;
-use crate::common::{column, text};
+use crate::common::{column as column_of, text};
 use crate::strip::{self, THIN, strip};
 
 const GIVEN: &str = "sandwich-panel.toml";
@@ -40,7 +40,7 @@ fn both(analysis: &str, name: &str, bound: f64) {
     let [a, b] = [plain, own].map(|text| {
         // Modes have no curve of their own.
         let curve = if name == "w" { text.len() } else { text.find("[[curve]]").unwrap() };
-        column(&strip::run(&text[..curve]), name)
+        column_of(&strip::run(&text[..curve]), name)
     });
     assert!(a.len() == b.len() && !a.is_empty());
     let most = a.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
@@ -69,6 +69,28 @@ fn a_part_may_have_a_stiffness_of_its_own() {
     );
     let [a, b] = [plain.clone(), format!("{plain}{part}")].map(|text| strip::last(&strip::run(&text)));
     assert!((b / a - 1.0).abs() < 1e-10, "{a} {b}");
+}
+
+/// A given stiffness has no strength: a column of reserve factors is that of the cells that have one.
+#[test]
+fn a_part_of_given_stiffness_has_no_reserve_to_count() {
+    let force = "loads = [{ on = \"u1\", force = { total = [0.0, 0.0, 3.0] } }]";
+    let column = |on: &str| {
+        format!(
+            "[[curve]]\nname = \"r_{on}\"\nof = \"reserve-factor\"\non = \"{on}\"\ncriterion = \"von-mises\"\n"
+        )
+    };
+    let part = format!(
+        "{}{}[[parts]]\non = \"root\"\nmaterial.smeared.density = 2.0\nsection.stiffness = {{ {} }}\n",
+        column("all"),
+        column("tip"),
+        given()
+    );
+    let text =
+        format!("{}{part}", strip(THIN, force).replace("density = 2.0 }", "density = 2.0, strength = 6e4 }"));
+    let found = strip::run(&text);
+    let [all, tip] = ["r_all", "r_tip"].map(|name| column_of(&found, name)[0]);
+    assert!(all == tip && all > 1.0 && all < 100.0, "{all} {tip}");
 }
 
 /// Membrane and bending that are coupled by an eccentric skin: what the plies of it give.

@@ -155,6 +155,51 @@ impl Builder<'_> {
             let value = format!("{:?}", through.point);
             return Err(self.scene.source.value(&column.at("through.point"), value, &bound, repair));
         }
-        Ok(beyond)
+        let refuse = |bound: &str, repair: &str| {
+            let value = format!("\"{}\"", column.on);
+            Err(self.scene.source.value(&column.at("on"), value, bound, repair))
+        };
+        match reach(shell, is_beyond, &beyond) {
+            Reached::Shared => refuse(
+                "a set that nothing else joins beyond the cut: forces between it and other particles there would count as well",
+                "use \"all\", or a set that holds all that hangs together beyond the plane",
+            ),
+            Reached::Never => refuse(
+                "a set with cells through which the cut runs",
+                "move the cut into the set, or use \"all\"",
+            ),
+            Reached::Cut => Ok(beyond),
+        }
     }
+}
+
+/// How particles beyond a cut hang together with others.
+enum Reached {
+    /// With others beyond it, whose forces on them are in the sum.
+    Shared,
+    /// With none on this side.
+    Never,
+    /// Through the cut alone.
+    Cut,
+}
+
+fn reach(shell: &Shell, is_beyond: impl Fn(usize) -> bool, chosen: &[u32]) -> Reached {
+    let operator = &shell.reference().operator;
+    let mut of_set = vec![false; shell.len()];
+    chosen.iter().for_each(|&a| of_set[a as usize] = true);
+    let mut reached = Reached::Never;
+    for p in 0..operator.points.len() {
+        let particles = operator.stencil(p).particles;
+        let any = |holds: &dyn Fn(usize) -> bool| particles.iter().any(|&a| holds(a as usize));
+        if !any(&|a| of_set[a]) {
+            continue;
+        }
+        if any(&|a| !of_set[a] && is_beyond(a)) {
+            return Reached::Shared;
+        }
+        if any(&|a| !is_beyond(a)) {
+            reached = Reached::Cut;
+        }
+    }
+    reached
 }

@@ -4,6 +4,7 @@ use super::super::criterion::Criterion;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::curve::{Measured, Probe};
 use crate::scene::error::{SceneError, Verdict};
+use crate::scene::output::Fields;
 use crate::scene::problem::BodyScene;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::material::Material;
@@ -179,15 +180,39 @@ fn check_criterion(scene: &BodyInScene<'_>, shell: &ShellScene, criterion: Crite
     }
 }
 
+/// Stresses of plies and reserve factors of a shell that has them beside other bodies.
+fn check_shown_plies(scene: &BodyInScene<'_>, shell: &ShellScene, fields: Fields) -> Verdict {
+    if fields.plies && sections(shell).any(|own| plies(&own) > 0) {
+        check_by_plies(scene, shell, "output.fields.plies", "stresses of plies")?;
+    }
+    let strong = |material: &Material| match material {
+        Material::Orthotropic(own) => own.strength.is_some(),
+        Material::Elastic(own) => own.strength.is_some(),
+        _ => false,
+    };
+    let judged = sections(shell).any(|own| own.section.materials(&own.material).into_iter().any(strong));
+    match fields.reserve.filter(|_| judged) {
+        Some(criterion) => {
+            let path = "output.fields.reserve";
+            check_by_plies(scene, shell, path, &format!("\"{}\"", criterion.word()))?;
+            check_criterion(scene, shell, criterion, path)
+        }
+        None => Ok(()),
+    }
+}
+
 /// Fields of stresses that the body has not.
 pub(super) fn check_stress_fields(scene: &BodyInScene<'_>) -> Verdict {
     let Some(fields) = scene.output.fields else { return Ok(()) };
     let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
         Err(SceneError::Choice(scene.scope().fault(path, value, bound, repair)))
     };
-    // Of several bodies those show them that have them.
+    // Of several bodies those show them that have them; what one has must be right.
     if scene.together {
-        return Ok(());
+        return match scene.as_shell() {
+            Some(shell) => check_shown_plies(scene, shell, fields),
+            None => Ok(()),
+        };
     }
     let principal = "principal stresses";
     match scene.as_shell() {
