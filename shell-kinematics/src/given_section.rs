@@ -51,7 +51,10 @@ impl GivenSection {
             bending: even(bending),
             shear: even(shear),
         };
-        let fastest = stiffest(membrane).max(stiffest(bending) * 12.0 / (thickness * thickness));
+        // Of waves of the membrane and of bending and turning, whose inertia is ρt and ρt³/12, coupled by B.
+        let [a, d] = [stiffest(membrane), stiffest(bending) * 12.0 / (thickness * thickness)];
+        let fastest =
+            0.5 * (a + d) + libm::hypot(0.5 * (a - d), size(coupling) * 12.0_f64.sqrt() / thickness);
         Ok(Self { stiffness, scales: stiffness.scales(thickness, fastest) })
     }
 }
@@ -107,6 +110,13 @@ fn stiffest(m: &Matrix3) -> f64 {
     mean_over_directions(m) + libm::hypot(twice[0], twice[1]) + libm::hypot(four[0], four[1])
 }
 
+/// No pair of unit strains meets more of a matrix, of whatever sign: its Frobenius norm over components of one size.
+fn size(m: &Matrix3) -> f64 {
+    let plane = m[0][0] * m[0][0] + m[1][1] * m[1][1] + 2.0 * m[0][1] * m[0][1];
+    let mixed = m[0][2] * m[0][2] + m[1][2] * m[1][2];
+    (plane + 4.0 * (mixed + m[2][2] * m[2][2])).sqrt()
+}
+
 impl Section for GivenSection {
     fn linear(&self) -> bool {
         true
@@ -124,7 +134,7 @@ impl Section for GivenSection {
         self.resultants(strains).work(strains) * 0.5
     }
 
-    /// No wave of the membrane, nor of what bending and turning make of the same thickness, is faster than the scale of the membrane says.
+    /// No wave in the surface, of the membrane or of bending, is faster than the scale of the membrane says; transverse shear is no part of it.
     fn scales(&self) -> SectionScales {
         self.scales
     }
