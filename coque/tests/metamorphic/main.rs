@@ -26,7 +26,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 56] = [
+const SCENES: [(&str, Replaced); 57] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -40,6 +40,7 @@ const SCENES: [(&str, Replaced); 56] = [
     ("cantilever-shaken.toml", &SHAKEN_DIRECTLY),
     ("heated-plate.toml", &[]),
     ("sandwich-panel.toml", &[]),
+    ("../coque/tests/metamorphic/coupled.toml", &[]),
     ("bimetal-strip.toml", &[]),
     ("ring.toml", &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")]),
     ("strip-over-drum.toml", &[("analysis.static.levels", "4"), ("geometry.plate.particles", "[26, 3]")]),

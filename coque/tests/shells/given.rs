@@ -119,6 +119,25 @@ fn a_coupled_stiffness_bends_as_its_plies_do() {
     assert!((b / a - 1.0).abs() < 1e-4, "{a} {b}");
 }
 
+/// In a mirror below the sheet B changes its sign, and what moves up moves down.
+#[test]
+fn a_coupled_sheet_in_a_mirror_moves_the_other_way() {
+    let sheet = text("../coque/tests/metamorphic/coupled.toml");
+    let mirrored = sheet
+        .replace(
+            "[[-15e3, 2e3, 4e3], [2e3, 9e3, 3e3], [4e3, 3e3, 2e3]]",
+            "[[15e3, -2e3, -4e3], [-2e3, -9e3, -3e3], [-4e3, -3e3, -2e3]]",
+        )
+        .replace("[30.0, 10.0, 4.0]", "[30.0, 10.0, -4.0]");
+    assert_eq!(sheet.matches("-15e3").count() + mirrored.matches("-4.0]").count(), 2);
+    let [one, other] = [sheet, mirrored].map(|text| strip::run(&text));
+    for (name, sign) in [("u", 1.0), ("v", 1.0), ("w", -1.0), ("m", -1.0)] {
+        for (a, b) in column_of(&one, name).into_iter().zip(column_of(&other, name)) {
+            assert!((sign * b - a).abs() <= 1e-9 * a.abs(), "{name}: {a} {b}");
+        }
+    }
+}
+
 #[test]
 fn broken_stiffnesses() {
     let cases = [
