@@ -155,7 +155,7 @@ pub(super) fn holds_files(document: &DeTable<'_>) -> bool {
     document.contains_key(FILES)
 }
 
-/// Told of a record: the path of its key, where it stands and its table, what its course multiplies.
+/// Hears of a record: the path of its key, where it stands and its table, what its course multiplies.
 type Visit<'v, 'd> =
     &'v mut dyn FnMut(&str, (std::ops::Range<usize>, &'d DeTable<'d>), Multiplied) -> Verdict;
 
