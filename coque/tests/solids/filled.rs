@@ -98,6 +98,21 @@ fn loads_by_area_have_the_size_of_their_part() {
     assert!(reaction("on = \"surface\", pressure = { value = 2 }", x).abs() < 1e-9);
 }
 
+/// A director that stays in a plane may not be turned out of it.
+#[test]
+fn a_held_director_does_not_turn() {
+    let built = |axis: &str| {
+        let held = "{ on = \"x0\", held = { director = [[1, 0, 0]] } }";
+        let turned = format!("{{ on = \"x0\", turned = {{ axis = {axis}, by = 5 }} }}");
+        let supports = format!("[{held}, {turned}]");
+        crate::common::scene("plate-pd.toml", &[("supports", &supports)]).unwrap().build(1).map(|_| ())
+    };
+    // About y it would leave the plane normal to x; about x it stays in it.
+    let fault = built("[0, 1, 0]").unwrap_err().to_string();
+    assert!(fault.contains("node 0 is prescribed to move"), "{fault}");
+    built("[1, 0, 0]").unwrap();
+}
+
 /// A set that is called as a group would be nodes to a support and the group to a pressure.
 #[test]
 fn a_set_may_not_be_called_as_a_group() {
