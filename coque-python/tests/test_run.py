@@ -91,6 +91,22 @@ def test_frames_hold_points_and_fields_with_units(tmp_path: Path) -> None:
     assert scene.run(fields=False).frames == [] and coque.Scene(cantilever()).run().frames == []
 
 
+def test_load_cases_have_names(scenes: Path, tmp_path: Path) -> None:
+    scene = coque.Scene(scenes / "two-span-cases.toml", set={"geometry.plate.particles": [21, 3]})
+    result = scene.run(out=tmp_path / "out")
+    names = ["weight", "people-left", "people-right", "sun", "settled"]
+    names += ["all-spans", "left-span", "right-span", "settled-in-the-sun"]
+    assert list(result.cases) == names and [case["name"] for case in result.summary["cases"]] == names
+    for number, name in enumerate(names, 1):
+        row = result.cases[name]
+        assert row["case"] == number and row["R_middle"] == result.curve["R_middle"][number - 1]
+        assert (tmp_path / f"out/fields/shell-{number - 1:04}-{name}.vtu").exists()
+    assert [frame.along for frame in result.frames] == [*range(1, len(names) + 1)]
+    loaded = coque.load(tmp_path / "out")
+    assert loaded.cases == result.cases and loaded.summary["envelope"] == result.summary["envelope"]
+    assert coque.Scene(cantilever()).run().cases == {}
+
+
 @pytest.mark.filterwarnings("ignore::coque.CoqueWarning")
 def test_several_bodies_are_named(scenes: Path) -> None:
     changes = {"analysis.explicit.transient.duration": 0.01}

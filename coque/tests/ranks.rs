@@ -85,7 +85,7 @@ fn found(outcome: &Outcome) -> String {
 }
 
 /// The same of bonds that break and of fluids.
-const OTHERS: [(&str, Replaced<'static>); 6] = [
+const OTHERS: [(&str, Replaced<'static>); 8] = [
     (
         "crack-branching.toml",
         &[
@@ -105,6 +105,8 @@ const OTHERS: [(&str, Replaced<'static>); 6] = [
     ("gate.toml", &[("analysis.explicit.transient.duration", "0.02")]),
     ("gate-bonds.toml", &[("analysis.explicit.transient.duration", "0.02")]),
     ("dam-break.toml", &[("analysis.explicit.transient.duration", "0.2")]),
+    ("floating-box.toml", &[("analysis.explicit.transient.duration", "0.1")]),
+    ("wave-flume.toml", &[("analysis.explicit.transient.duration", "0.1")]),
     (
         "bar-bonds-yielding.toml",
         &[

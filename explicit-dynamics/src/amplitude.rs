@@ -66,22 +66,23 @@ impl Amplitude {
             }
             Self::Sine { period, growth: Some(growth) } => {
                 let (end, omega) = (t.min(*growth), std::f64::consts::TAU / period);
-                let [v, u] = self.growing(end, growth / period);
+                let [v, u] = self.growing(end, end / period);
                 let (after, [s0, c0], s1) =
                     (t - end, [libm::sin(omega * end), libm::cos(omega * end)], libm::sin(omega * t));
                 let whole = (c0 - libm::cos(omega * t)) / omega;
                 [v + whole, u + after * (v + c0 / omega) - (s1 - s0) / (omega * omega)]
             }
             Self::Table(points) => {
-                let (mut from, mut sums) = (0.0, [0.0; 2]);
-                let mut go_to = |to: f64| {
-                    let (h, a0, a1) = (to - from, table(points, from), table(points, to));
+                let (mut from, mut a0, mut sums) = (0.0, table(points, 0.0), [0.0; 2]);
+                let mut go_to = |to: f64, a1: f64| {
+                    let h = to - from;
                     sums =
                         [sums[0] + 0.5 * h * (a0 + a1), sums[1] + h * (sums[0] + h * (2.0 * a0 + a1) / 6.0)];
-                    from = to;
+                    (from, a0) = (to, a1);
                 };
-                points.iter().map(|point| point[0]).filter(|&at| 0.0 < at && at < t).for_each(&mut go_to);
-                go_to(t);
+                let after_start = points.iter().skip_while(|point| point[0] <= 0.0);
+                after_start.take_while(|point| point[0] < t).for_each(|&[at, x]| go_to(at, x));
+                go_to(t, table(points, t));
                 sums
             }
         }
@@ -98,7 +99,7 @@ const GAUSS: [[f64; 2]; 5] = [
 ];
 
 impl Amplitude {
-    /// The integrals to a time at which it still grows, over so many periods in all: by pieces so short that nothing but rounding is left.
+    /// The integrals to a time at which it still grows, so many periods from its start: by pieces so short that nothing but rounding is left.
     fn growing(&self, end: f64, periods: f64) -> [f64; 2] {
         let pieces = (24.0 * periods.max(1.0)).ceil();
         let h = end / pieces;
@@ -177,6 +178,17 @@ mod tests {
                 "{amplitude:?}: {v} {exact_v}, {u} {exact_u}"
             );
         }
+    }
+
+    /// It grows for longer than anyone marches, `10 (t/G)³ sin ωt` is all but zero, and only as many pieces are summed as the time has.
+    #[test]
+    fn a_growth_of_ages_takes_no_longer_than_its_time() {
+        let ages = Amplitude::Sine { period: 0.5, growth: Some(1e9) };
+        assert!(ages.integrals(1.0).iter().all(|x| x.abs() < 1e-20));
+        // To the end of a long growth: −cos ωG / ω, and what its slope adds falls with the fourth power of the periods in it.
+        let grown = Amplitude::Sine { period: 0.5, growth: Some(200.0) };
+        let [v, _] = grown.integrals(200.0);
+        assert!((v + 0.5 / std::f64::consts::TAU).abs() < 1e-9, "{v}");
     }
 
     #[test]

@@ -37,6 +37,15 @@ fn tetrahedra_are_bounded_by_their_outer_faces() {
         "{:?}",
         surface.notes
     );
+    // A face that the file has once for each of its groups belongs to all of them.
+    let twice = cube(SIX)
+        .replace("$PhysicalNames\n2\n", "$PhysicalNames\n3\n2 9 \"loaded\"\n")
+        .replace("$Elements\n9\n", "$Elements\n10\n10 2 2 9 1 5 7 6\n");
+    let both = parse_body("cube.msh", Format::Gmsh, twice.as_bytes()).unwrap();
+    assert_eq!(both.face_sets["top"].len(), 2);
+    assert!(
+        both.face_sets["loaded"].len() == 1 && both.face_sets["top"].contains(&both.face_sets["loaded"][0])
+    );
     // A surface alone is read as ever.
     let alone = cube("").replace("\n9\n1 2", "\n2\n1 2").replace("3 2 2 8 2 1 2 7\n", "");
     assert_eq!(parse_body("cube.msh", Format::Gmsh, alone.as_bytes()).unwrap().faces.len(), 2);

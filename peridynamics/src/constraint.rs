@@ -85,7 +85,7 @@ impl Constraints {
             let supports = &asked[row % nodes];
             let constraint = match row < nodes {
                 true => Constraint::of_position(row as u32, at, supports, across)?,
-                false => Constraint::of_director(at, supports),
+                false => Constraint::of_director((row - nodes) as u32, at, supports)?,
             };
             if !constraint.held.basis().is_empty() {
                 out.list.push(constraint);
@@ -177,8 +177,13 @@ impl Constraint {
         self.motions.push(Motion { way, amplitude: amplitude.clone() });
     }
 
-    fn of_director(rest: Vec3, supports: &[&Support]) -> Self {
+    fn of_director(node: u32, rest: Vec3, supports: &[&Support]) -> Result<Self, SolidError> {
         let mut out = Self::free(rest);
+        let held = |support: &&Support| match support {
+            Support::Held { director, .. } => director.clone(),
+            _ => Vec::new(),
+        };
+        let held: Vec<Vec3> = supports.iter().flat_map(held).map(|along| along.normalize()).collect();
         for support in supports {
             match support {
                 Support::Held { director, .. } => {
@@ -186,11 +191,20 @@ impl Constraint {
                 }
                 Support::Moved { .. } => {}
                 Support::Turned { axis, by, amplitude, .. } => {
-                    out.turn(Way::Turn { arm: rest, angle: axis.normalize() * *by }, amplitude);
+                    let angle = axis.normalize() * *by;
+                    let along = angle.cross(&rest);
+                    for way in [along, axis.normalize().cross(&along)] {
+                        if let Some(wanted) =
+                            held.iter().map(|held| way.dot(held)).find(|w| w.abs() > ROUNDING * by.abs())
+                        {
+                            return Err(SolidError::Contradiction { node, wanted });
+                        }
+                    }
+                    out.turn(Way::Turn { arm: rest, angle }, amplitude);
                 }
             }
         }
-        out
+        Ok(out)
     }
 
     /// Whether it prescribes a displacement.

@@ -75,6 +75,12 @@ impl Outline {
         self.triangles().map(|[a, b, c]| 0.5 * (b - a).cross(&(c - a)).norm()).sum()
     }
 
+    /// Area of the faces seen across z, each by the part of its normal there: that of the sides of a prism along z \[L²\].
+    pub fn area_of_sides(&self) -> f64 {
+        let across = |normal: Vec3| libm::hypot(normal.x, normal.y);
+        self.triangles().map(|[a, b, c]| 0.5 * across((b - a).cross(&(c - a)))).sum()
+    }
+
     /// Triangles of all cells, by their corners.
     pub(crate) fn triangles(&self) -> impl Iterator<Item = [Vec3; 3]> {
         self.cells.iter().flat_map(|cell| {

@@ -151,7 +151,7 @@ impl Section for GivenSection {
         self.resultants(strains).work(strains) * 0.5
     }
 
-    /// No wave of the membrane, nor of what bending and turning make of the same thickness, is faster than the scale of the membrane says.
+    /// No wave in the surface, of the membrane or of bending, is faster than the scale of the membrane says; transverse shear is no part of it.
     fn scales(&self) -> SectionScales {
         self.scales
     }

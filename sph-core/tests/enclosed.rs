@@ -130,6 +130,29 @@ fn cavities_are_empty_and_touching_faces_count_once() {
     assert_eq!(area(&two), 12.0);
 }
 
+/// A small box stands on a large one, its corners within a face of that, as they lie and turned, whichever is first; two bars in a line that
+/// share a piece of their length do not cross and hold it twice.
+#[test]
+fn pieces_may_touch_and_not_lie_in_each_other() {
+    let base = || cuboid(Vec3::new(0.3, -0.7, 1.1), Vec3::new(1.5, -0.1, 1.7));
+    let block = || cuboid(Vec3::new(0.6, -0.5, 1.7), Vec3::new(1.1, -0.3, 2.3));
+    let joined = |mut one: Triangles, other: Triangles| {
+        one.add(other);
+        one
+    };
+    for turn in [Vec3::zeros(), Vec3::new(0.3, -0.5, 0.9), Vec3::new(-1.1, 0.2, 0.4)] {
+        for shape in [joined(base(), block()), joined(block(), base())] {
+            let closed = shape.turned(turn).closed().unwrap();
+            assert_relative_eq!(closed.volume().0, 0.432 + 0.06, max_relative = 1e-12);
+        }
+    }
+    let bar = |from: f64| cuboid(Vec3::new(from, 0.0, 0.0), Vec3::new(from + 1.5, 0.3, 0.3));
+    for turn in [Vec3::zeros(), Vec3::new(0.0, 0.0, 0.7)] {
+        let fault = joined(bar(0.0), bar(1.1)).turned(turn).closed().unwrap_err();
+        assert!(matches!(fault, SurfaceFault::Within { .. } | SurfaceFault::Crossing { .. }), "{fault}");
+    }
+}
+
 #[test]
 fn a_turned_mirrored_renumbered_and_divided_surface_gives_the_same() {
     let shape = hollow(1.0, 0.5, 4);

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use super::OF_CASES;
 use super::bars::{OnLattice, bar, order_of, sharpened};
 use super::companions::finest;
 use super::found::{Found, Starts, rows, run};
@@ -32,6 +33,9 @@ impl Checked {
     pub fn errors(&self, outcome: &Outcome, threads: usize, progress: &mut dyn Progress) -> Errors {
         if outcome.ended != Ended::Done {
             return Errors::none(format!("the run did not reach its end: {}", outcome.ended));
+        }
+        if !self.cases().is_empty() {
+            return Errors::none(OF_CASES);
         }
         let found = match self.companions(threads) {
             Ok(found) => found,

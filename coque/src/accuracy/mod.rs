@@ -45,6 +45,9 @@ use crate::scene::Checked;
 /// Particles beyond which nothing is predicted, as no scene may have more.
 const MOST_PARTICLES: f64 = 1e7;
 
+/// Why load cases have no errors of their numbers.
+const OF_CASES: &str = "errors are found of one answer, and each load case is one; run the scene with the loads of one case, without `case`";
+
 /// What is asked of a forecast.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
@@ -93,12 +96,15 @@ impl Checked {
     /// may end the forecast, which then rests on what was run.
     ///
     /// # Errors
-    /// [`ClimbError`] if the scene itself is refused or measures nothing; other methods that fail are left out.
+    /// [`ClimbError`] if the scene itself is refused, measures nothing or has load cases; other methods that fail are left out.
     pub fn forecast(
         &self,
         asked: &Asked,
         tell: &mut dyn FnMut(&str, &Rung) -> ControlFlow<()>,
     ) -> Result<Vec<Forecast>, ClimbError> {
+        if !self.cases().is_empty() {
+            return Err(ClimbError::Silent(OF_CASES.into()));
+        }
         let mut forecasts = Vec::new();
         let mut flow = ControlFlow::Continue(());
         for (method, scene) in methods::methods(self) {

@@ -32,8 +32,7 @@ pub(super) fn key(analysis: &Analysis, curves: &[&Curve]) -> Result<Key, String>
     let Some(own) = curves.first() else { return Ok(Key::Only) };
     let named = |name: &str| own.columns.iter().position(|column| column.name == name);
     Ok(match analysis {
-        // Load cases have a row each.
-        Analysis::Linear(_) => named("case").map_or(Key::Only, Key::Column),
+        Analysis::Linear(_) => Key::Only,
         Analysis::Modal(_) | Analysis::Buckling(_) => Key::Shape,
         Analysis::Harmonic(_) => named("frequency").map_or(Key::Only, Key::Column),
         Analysis::ArcLength(_) => {

@@ -8,7 +8,7 @@ use implicit_statics::{SymmetricSolver, linear_response};
 use super::linear::solved;
 use super::march::reference_step;
 use crate::bodies::{DynamicBody, Model, Ready, StaticBody};
-use crate::scene::{Analysis, Explicit, Harmonic, LevelSign, Linear};
+use crate::scene::{Analysis, Explicit, Harmonic, LevelSign, Linear, LinearSolver};
 
 /// How long steps are timed.
 const TIMED: Duration = Duration::from_millis(300);
@@ -26,7 +26,7 @@ pub struct Estimate {
     pub steps: Option<[f64; 2]>,
     /// Wall time of one of them \[s\], as timed just now with the threads of the model.
     pub seconds_a_step: f64,
-    /// Solves that modes take beside their factorisations: least and most; none for other analyses.
+    /// Solves that modes and load cases take beside their factorisations: least and most; none for other analyses.
     pub solves: Option<[f64; 2]>,
     /// Wall time of the run \[s\]: least and most.
     pub seconds: Option<[f64; 2]>,
@@ -37,14 +37,15 @@ pub struct Estimate {
 impl Model {
     /// Times a few steps, or the first factorisation, of the body at rest.
     pub fn estimate(self) -> Estimate {
-        let Self { mut body, task, description, threads, .. } = self;
+        let Self { mut body, task, description, threads, cases, .. } = self;
+        let cases = cases.map_or(0, |scene| scene.cases().len());
         let bytes = description.bytes_per_particle * description.particles as f64;
         match (&mut body, &task.analysis) {
             (Ready::Dynamic(body), Analysis::Explicit(explicit)) => {
                 of_march(explicit, body.as_mut(), threads, bytes)
             }
             (Ready::Dynamic(_), _) => Estimate { bytes, ..Estimate::default() },
-            (Ready::Static(body), analysis) => of_balance(analysis, body.as_mut(), bytes),
+            (Ready::Static(body), analysis) => of_balance(analysis, cases, body.as_mut(), bytes),
         }
     }
 }
@@ -61,7 +62,8 @@ fn of_march(explicit: &Explicit, body: &mut dyn DynamicBody, threads: usize, byt
     Estimate { stable_step, steps, seconds_a_step, seconds, bytes, ..Estimate::default() }
 }
 
-fn of_balance(analysis: &Analysis, body: &mut dyn StaticBody, bytes: f64) -> Estimate {
+/// Of an analysis with so many load cases, none of a scene without.
+fn of_balance(analysis: &Analysis, cases: usize, body: &mut dyn StaticBody, bytes: f64) -> Estimate {
     let steps = match analysis {
         Analysis::Modal(wanted) => return Work::of_vibration(wanted.modes.get()).estimate(body, bytes),
         Analysis::Buckling(wanted) => {
@@ -76,6 +78,9 @@ fn of_balance(analysis: &Analysis, body: &mut dyn StaticBody, bytes: f64) -> Est
             let work = Work::of_frequencies(count, wanted.damping.is_some());
             return Estimate { steps: Some([count; 2]), solves: None, ..work.estimate(body, bytes) };
         }
+        Analysis::Linear(Linear { solver: LinearSolver::Direct, .. }) if cases > 0 => {
+            return Work::of_cases(cases).estimate(body, bytes);
+        }
         Analysis::Static(path) => Some(ITERATIONS.map(|each| each * path.levels.list().len() as f64)),
         // A path by arc length tells nothing beforehand; a relaxation takes no factors.
         Analysis::ArcLength(_) | Analysis::Relaxation(_) => None,
@@ -86,11 +91,14 @@ fn of_balance(analysis: &Analysis, body: &mut dyn StaticBody, bytes: f64) -> Est
     // A tangent that cannot be solved says so when the scene is run; its time counts all the same.
     let _ = solved(&wanted, body);
     let seconds_a_step = begun.elapsed().as_secs_f64();
-    let seconds = steps.map(|steps| steps.map(|count| count * seconds_a_step));
-    Estimate { steps, seconds_a_step, seconds, bytes, ..Estimate::default() }
+    // Iterations are those of each load case anew.
+    let each = cases.max(1) as f64;
+    let seconds = steps.map(|steps| steps.map(|count| each * count * seconds_a_step));
+    let solves = (cases > 0).then_some([each; 2]);
+    Estimate { steps, seconds_a_step, solves, seconds, bytes, ..Estimate::default() }
 }
 
-/// What modes take: tangents, factorisations, solves; least and most.
+/// What modes and load cases take: tangents, factorisations, solves; least and most.
 struct Work {
     tangents: [f64; 2],
     factorisations: [f64; 2],
@@ -98,6 +106,11 @@ struct Work {
 }
 
 impl Work {
+    /// One factor for all load cases, a solve for each; combinations take none.
+    fn of_cases(cases: usize) -> Self {
+        Self { tangents: [1.0; 2], factorisations: [1.0; 2], solves: [cases as f64; 2] }
+    }
+
     /// Modes far apart, and modes so close that some are missed at first.
     fn of_vibration(modes: usize) -> Self {
         let modes = modes as f64;

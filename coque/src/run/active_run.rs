@@ -60,13 +60,10 @@ pub(crate) struct Run<'a> {
 impl Run<'_> {
     /// Adds a row to the curve: the columns of the analysis, then what the probes read.
     pub fn row(&mut self, mut columns: Vec<f64>, body: &dyn Body) {
-        let (time, mut at) = (columns[0], columns.len());
+        let (time, first) = (columns[0], columns.len());
         self.read_probes(&mut columns, body);
         if let Some(base) = &self.base {
-            for probe in &self.probes {
-                columns[at] += base.adds(probe, time);
-                at += 1 + usize::from(probe.of.has_mean());
-            }
+            base.add_to(&mut columns[first..], &self.probes, time);
         }
         self.push(columns);
     }

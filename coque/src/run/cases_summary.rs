@@ -13,8 +13,11 @@ use crate::scene::LoadSet;
 pub struct CasesSummary {
     /// Each case, then each combination.
     pub cases: Vec<CaseSummary>,
-    /// Least and greatest of each measured column, over the combinations if there are any, else over the cases.
+    /// Least and greatest of each measured column, over the combinations if there are any, else over the cases; empty before the first of them.
     pub envelope: Vec<Envelope>,
+    /// The measured columns.
+    #[serde(skip)]
+    columns: Vec<Column>,
     /// Whether the envelope is over combinations.
     #[serde(skip)]
     combined: bool,
@@ -52,38 +55,30 @@ pub struct Envelope {
 impl CasesSummary {
     /// Of nothing yet, over such sets, whose columns are measured.
     pub(crate) fn over(sets: &[LoadSet], columns: Vec<Column>) -> Self {
-        let (none, combined) = (String::new, sets.iter().any(|set| set.combines));
-        let empty = |column| Envelope {
-            column,
-            least: f64::INFINITY,
-            least_in: none(),
-            greatest: f64::NEG_INFINITY,
-            greatest_in: none(),
-        };
-        Self { cases: Vec::new(), envelope: columns.into_iter().map(empty).collect(), combined }
+        let combined = sets.iter().any(|set| set.combines);
+        Self { cases: Vec::new(), envelope: Vec::new(), columns, combined }
     }
 
     /// Takes in an answer with the numbers of its columns.
     pub(crate) fn take(&mut self, case: CaseSummary, columns: &[f64]) {
-        for (own, &x) in self.envelope.iter_mut().zip(columns).filter(|_| case.set.combines == self.combined)
-        {
-            if x < own.least {
-                (own.least, own.least_in) = (x, case.set.name.clone());
+        if case.set.combines == self.combined {
+            let name = &case.set.name;
+            if self.envelope.is_empty() {
+                let first = self.columns.iter().zip(columns);
+                self.envelope = first.map(|(column, &x)| Envelope::at(column.clone(), x, name)).collect();
             }
-            if x > own.greatest {
-                (own.greatest, own.greatest_in) = (x, case.set.name.clone());
-            }
+            self.envelope.iter_mut().zip(columns).for_each(|(own, &x)| own.take(x, name));
         }
         self.cases.push(case);
     }
 
     /// Writes a table: a row for each case and combination with its name, then the least and greatest of each measured column and, below each, where it
-    /// is met.
+    /// is met; nothing of an envelope that has not begun.
     ///
     /// # Errors
     /// Those of the writer.
     pub fn write_csv(&self, curve: &Curve, to: &mut impl Write) -> io::Result<()> {
-        let first = curve.columns.len() - self.envelope.len();
+        let first = curve.columns.len() - self.columns.len();
         let titles: Vec<String> = curve.columns[first..].iter().map(Column::title).collect();
         let mut row = |name: &str, cells: Vec<String>| {
             writeln!(to, "{}", [vec![name.into()], cells].concat().join(","))
@@ -92,10 +87,62 @@ impl CasesSummary {
         for (case, numbers) in self.cases.iter().zip(&curve.rows) {
             row(&case.set.name, numbers[first..].iter().map(|x| format!("{x:?}")).collect())?;
         }
+        if self.envelope.is_empty() {
+            return Ok(());
+        }
         let of = |cell: fn(&Envelope) -> String| self.envelope.iter().map(cell).collect();
         row("(least)", of(|own| format!("{:?}", own.least)))?;
         row("(least in)", of(|own| own.least_in.clone()))?;
         row("(greatest)", of(|own| format!("{:?}", own.greatest)))?;
         row("(greatest in)", of(|own| own.greatest_in.clone()))
+    }
+}
+
+impl Envelope {
+    /// Of one number.
+    fn at(column: Column, x: f64, name: &str) -> Self {
+        Self { column, least: x, least_in: name.into(), greatest: x, greatest_in: name.into() }
+    }
+
+    /// Takes in one more.
+    fn take(&mut self, x: f64, name: &str) {
+        if x < self.least || self.least.is_nan() {
+            (self.least, self.least_in) = (x, name.into());
+        }
+        if x > self.greatest || self.greatest.is_nan() {
+            (self.greatest, self.greatest_in) = (x, name.into());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn set(name: &str, combines: bool) -> LoadSet {
+        LoadSet { name: name.into(), combines, of: [("a".to_string(), 1.0)].into() }
+    }
+
+    /// Interrupted before the first combination there is nothing to be least or greatest.
+    #[test]
+    fn an_envelope_begins_with_the_first_that_counts() {
+        let column = Column { name: "w".into(), unit: "m".into() };
+        let curve = |rows: &[f64]| Curve {
+            columns: vec![column.clone()],
+            rows: rows.iter().map(|&x| vec![x]).collect(),
+        };
+        let mut all = CasesSummary::over(&[set("a", false), set("c", true)], vec![column.clone()]);
+        let table = |all: &CasesSummary, rows: &[f64]| {
+            let mut text = Vec::new();
+            all.write_csv(&curve(rows), &mut text).unwrap();
+            String::from_utf8(text).unwrap()
+        };
+        let answer = |set| CaseSummary { set, internal: 1.0, supports: None };
+        all.take(answer(set("a", false)), &[2.0]);
+        assert!(all.envelope.is_empty());
+        assert_eq!(table(&all, &[2.0]), "case,w [m]\na,2.0\n");
+        all.take(answer(set("c", true)), &[3.0]);
+        let whole = "case,w [m]\na,2.0\nc,3.0\n(least),3.0\n(least in),c\n(greatest),3.0\n(greatest in),c\n";
+        assert_eq!(table(&all, &[2.0, 3.0]), whole);
     }
 }

@@ -1,5 +1,6 @@
 //! From text to a scene that has passed every check that needs no particles, with overrides on the way.
 
+use std::collections::BTreeMap;
 use std::ops::Deref;
 
 use serde::Deserialize;
@@ -100,21 +101,58 @@ impl Scene {
         Self::merged(&whole, text.len(), replaced, &files, source)
     }
 
-    /// The text of a scene with all that it includes and the texts of files that its records name, those of replaced values too, to be read without
-    /// these files; itself where there are none.
+    /// The text of a scene with all that it includes and the texts of files that its records name once values are replaced, to be read with these values and
+    /// without the files; itself where there are none.
     ///
     /// # Errors
     /// [`SceneError`] for files that cannot be read or are no TOML.
     pub fn whole_text(text: &str, origin: &str, replaced: &[(String, String)]) -> Result<String, SceneError> {
         let files = includes::read(text, origin)?;
-        let source = Self::texts(text, origin, replaced, &files);
+        let records = Self::files_of_records(text, origin, replaced, &files)?;
+        Self::holding(text, origin, &files, records)
+    }
+
+    /// The same for several runs, each with values replaced. A run whose values or files cannot be read adds no file: it is refused where it is read.
+    ///
+    /// # Errors
+    /// [`SceneError`] for files that are included and cannot be read, and what is no TOML.
+    pub fn whole_text_of(
+        text: &str,
+        origin: &str,
+        runs: &[Vec<(String, String)>],
+    ) -> Result<String, SceneError> {
+        let files = includes::read(text, origin)?;
+        let each = runs.iter().map(|replaced| Self::files_of_records(text, origin, replaced, &files));
+        let records = each.flatten().flatten().collect();
+        Self::holding(text, origin, &files, records)
+    }
+
+    /// Texts of the files that records name once values are replaced, but for those that the scene holds.
+    fn files_of_records(
+        text: &str,
+        origin: &str,
+        replaced: &[(String, String)],
+        files: &[Included],
+    ) -> Result<BTreeMap<String, String>, SceneError> {
+        let source = Self::texts(text, origin, replaced, files);
         let whole = source.text();
         let mut table = DeTable::parse(&whole[..text.len()]).map_err(|e| source.refusal(&e))?;
-        includes::merge(table.get_mut(), &whole, &files, &source)?;
-        let mut with_replaced = table.clone();
-        overrides::apply(with_replaced.get_mut(), &whole, text.len(), replaced, &source)?;
-        let mut records = records::files_of(table.get_ref(), &source)?;
-        records.extend(records::files_of(with_replaced.get_ref(), &source)?);
+        includes::merge(table.get_mut(), &whole, files, &source)?;
+        overrides::apply(table.get_mut(), &whole, text.len(), replaced, &source)?;
+        records::files_of(table.get_ref(), &source)
+    }
+
+    /// The text with all that it includes and texts of files that records name.
+    fn holding(
+        text: &str,
+        origin: &str,
+        files: &[Included],
+        records: BTreeMap<String, String>,
+    ) -> Result<String, SceneError> {
+        let source = Self::texts(text, origin, &[], files);
+        let whole = source.text();
+        let mut table = DeTable::parse(&whole[..text.len()]).map_err(|e| source.refusal(&e))?;
+        includes::merge(table.get_mut(), &whole, files, &source)?;
         let alone = files.is_empty() && !records::holds_files(table.get_ref());
         if alone || records.is_empty() && files.is_empty() {
             return Ok(if records.is_empty() {

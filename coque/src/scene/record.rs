@@ -6,17 +6,18 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
 /// A course in time from a file: numbers by time in two columns of a CSV file, or an acceleration as PEER keeps it (`.AT2`). Between its times it goes along
-/// straight lines; before the first and after the last it stays, an `.AT2` is zero after its end.
+/// straight lines; before the first and after the last it stays, an `.AT2` and what has a `baseline` are zero after their end.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Record {
     /// The file, from the folder of the scene; one that ends in `.AT2` is read as PEER writes it, any other as CSV: numbers between commas, semicolons, tabs or
-    /// blanks, lines after `#` left out, names of columns in the first line or none.
+    /// blanks, lines after `#` left out, names of columns in a first line without numbers, or none.
     pub file: String,
     /// Columns of time and of the numbers, by name or by number from 1; left out, the first two. None of an `.AT2`.
     pub columns: Option<[ColumnOfFile; 2]>,
-    /// Units of time and of the numbers, such as `["s", "g"]`, g being 9.80665 m/s²: they are converted to those of the scene. `"-"` takes numbers as they
-    /// are, and so does leaving it out, but of an `.AT2`, whose units are read.
+    /// Units of time and of the numbers, such as `["s", "g"]`, g being 9.80665 m/s²: they are converted to those of the scene. Numbers may be in a unit of what
+    /// the course multiplies, of a base an acceleration, of a `force` a force. `"-"` takes them as they are, and so does leaving it out, but of an `.AT2`, which is
+    /// in s and g.
     pub units: Option<[String; 2]>,
     /// Factor on the numbers \[–\].
     #[serde(default = "one")]
@@ -56,7 +57,8 @@ pub enum Baseline {
     /// Nothing.
     #[default]
     None,
-    /// A straight line over its length, by which velocity and displacement, integrated from rest, are zero at its end.
+    /// A straight line, taken off all points but the zero at its end, by which velocity and displacement, integrated from rest, are zero there. A record that ends
+    /// otherwise goes to zero in one more step.
     Linear,
 }
 

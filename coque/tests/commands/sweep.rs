@@ -74,6 +74,31 @@ fn all_modes_of_a_run_are_in_the_table() {
     }
 }
 
+/// Of load cases and combinations too; a march whose column is called so has its last row.
+#[test]
+fn all_cases_of_a_run_are_in_the_table() {
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sweep/cases");
+    let _ = fs::remove_dir_all(&out);
+    let output = Command::new(env!("CARGO_BIN_EXE_coque"))
+        .args(["sweep", "scenes/two-span-cases.toml", "--set", "geometry.plate.particles=[21, 3]"])
+        .args(["--over", "section.homogeneous.thickness=0.2,0.25", "--out"])
+        .arg(&out)
+        .current_dir(root())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    let table = fs::read_to_string(out.join("sweep.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
+    assert_eq!(rows[0][5], "case [-]", "{table}");
+    let found: Vec<[&str; 2]> = rows[1..].iter().map(|row| [row[0], row[5]]).collect();
+    let numbers = ["1.0", "2.0", "3.0", "4.0", "5.0", "6.0", "7.0", "8.0", "9.0"];
+    assert_eq!(found, ["1", "2"].map(|run| numbers.map(|case| [run, case])).concat());
+    let (output, out) =
+        sweep("called-case", &["--over", "material.elastic.young=1e5,2e5", "--set", "curve[0].name=case"]);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    assert_eq!(fs::read_to_string(out.join("sweep.csv")).unwrap().lines().count(), 3);
+}
+
 #[test]
 fn every_run_has_frames_of_its_own() {
     let fields = ["--set", "output.fields={ stresses = true }", "--set", "analysis={ linear = {} }"];

@@ -8,6 +8,7 @@ mod common;
 mod basins;
 mod contact_in_fluid;
 mod floating;
+mod floating_shapes;
 mod fluid;
 mod fluid_scenes;
 mod unseen_contact;

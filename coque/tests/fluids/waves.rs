@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
 use crate::common::refused::refused;
+use crate::common::sittings::stopped_again_and_again;
 use crate::common::{Replaced, column, overridden, ran};
 use coque::Outcome;
 
@@ -21,6 +22,8 @@ geometry.basin = { min = [-0.1, 0.0], max = [0.8, 0.3], open = ["x0", "y1"] }
 geometry.block = { lengths = [0.08, 0.28], origin = [-0.08, 0.0] }
 motion.waves = { height = 0.02, period = 0.5, depth = 0.2, growth = 0.5 }
 "#;
+
+const BEACH: &str = "beach = { from = [0.4, 0.0, 0.0], length = 0.4, period = 0.5, depth = 0.2 }";
 
 fn flume(replaced: Replaced) -> Outcome {
     ran(overridden(FLUME, "flume.toml", replaced))
@@ -71,8 +74,8 @@ fn a_beach_takes_energy_and_counts_it() {
         ),
         ("curve", "[{ name = 'h', of = 'level', on = 'water.all', at = [0.7, 0, 0] }]"),
     ];
-    let far = ("bodies.water.fluid.beach.from", "[9.0, 0, 0]");
-    let [with, without] = [flume(&moved), flume(&[moved[0], moved[1], moved[2], far])];
+    let bare = FLUME.replace(BEACH, "");
+    let [with, without] = [flume(&moved), ran(overridden(&bare, "flume.toml", &moved))];
     let loss = |outcome: &Outcome| outcome.summary.record.fluid.as_ref().unwrap().viscous;
     assert!(loss(&with) > 1.5 * loss(&without), "{} {}", loss(&with), loss(&without));
     for outcome in [&with, &without] {
@@ -84,7 +87,7 @@ fn a_beach_takes_energy_and_counts_it() {
 #[test]
 fn waves_that_cannot_be_made_are_refused() {
     let waves = "motion.waves = { height = 0.02, period = 0.5, depth = 0.2, growth = 0.5 }";
-    let beach = "beach = { from = [0.4, 0.0, 0.0], length = 0.4, period = 0.5, depth = 0.2 }";
+    let beach = BEACH;
     let cases = [
         ("waves that break", waves, "motion.waves = { height = 0.2, period = 0.5, depth = 0.2 }"),
         (
@@ -114,6 +117,27 @@ fn waves_that_cannot_be_made_are_refused() {
             beach,
             "beach = { from = [0.4, 0.0, 0.0], along = [0, -1, 0], length = 0.4, period = 0.5, depth = 0.2 }",
         ),
+        ("waves of other water", waves, "motion.waves = { height = 0.02, period = 0.5, depth = 0.15 }"),
+        (
+            "a hinge above the floor",
+            waves,
+            "motion.waves = { height = 0.02, period = 0.5, depth = 0.2, hinge = [0.0, 0.1, 0.0] }",
+        ),
+        (
+            "a beach for other water",
+            beach,
+            "beach = { from = [0.4, 0.0, 0.0], length = 0.4, period = 0.5, depth = 0.3 }",
+        ),
+        (
+            "a beach behind the water",
+            beach,
+            "beach = { from = [0.8, 0.0, 0.0], length = 0.4, period = 0.5, depth = 0.2 }",
+        ),
+        (
+            "a beach that turns its back",
+            beach,
+            "beach = { from = [0.0, 0.0, 0.0], along = [-1, 0, 0], length = 0.4, period = 0.5, depth = 0.2 }",
+        ),
         (
             "a beach of the published march",
             beach,
@@ -121,4 +145,80 @@ fn waves_that_cannot_be_made_are_refused() {
         ),
     ];
     insta::assert_snapshot!(refused(FLUME, &cases));
+}
+
+/// Two runs beside each other: the greatest difference of a column over its greatest value.
+fn apart(one: &Outcome, other: &Outcome, name: &str, factor: f64) -> f64 {
+    let [one, other] = [one, other].map(|outcome| column(outcome, name));
+    let most = one.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    one.iter().zip(&other).fold(0.0_f64, |most, (x, y)| most.max((x - factor * y).abs())) / most
+}
+
+/// A level at the middle and the way of the piston, both of water that starts from a level of .2 m: the swing of the surface is some hundredth of that.
+const WATCHED: (&str, &str) = (
+    "curve",
+    "[{ name = 'x', of = 'displacement', on = 'piston.all', take = 'max', direction = [1, 0, 0] }, { name = 'h', of = 'level', on = 'water.all', at = [0.4, 0, 0] }, \
+     { name = 'u', of = 'velocity', on = 'water.all', take = 'mean', direction = [1, 0, 0] }]",
+);
+
+/// In the mirror of x: the piston at the right, waves and beach to the left.
+#[test]
+fn waves_in_a_mirror_are_the_same() {
+    let mirrored = [
+        WATCHED,
+        ("bodies.flume.walls.geometry.basin", "{ min = [0.0, 0.0], max = [0.9, 0.3], open = ['x1', 'y1'] }"),
+        ("bodies.piston.walls.geometry.block", "{ lengths = [0.08, 0.28], origin = [0.8, 0.0] }"),
+        (
+            "bodies.piston.walls.motion.waves",
+            "{ height = 0.02, period = 0.5, depth = 0.2, growth = 0.5, along = [-1, 0, 0] }",
+        ),
+        (
+            "bodies.water.fluid.beach",
+            "{ from = [0.4, 0.0, 0.0], along = [-1, 0, 0], length = 0.4, period = 0.5, depth = 0.2 }",
+        ),
+    ];
+    let mirrored =
+        [mirrored[0], mirrored[1], mirrored[2], mirrored[3], mirrored[4], ("curve[0].take", "'min'")];
+    let [one, other] = [flume(&[WATCHED]), flume(&mirrored)];
+    for (name, factor) in [("x", -1.0), ("h", 1.0), ("u", -1.0)] {
+        let off = apart(&one, &other, name, factor);
+        assert!(off < 1e-7, "{name}: {off:e}");
+    }
+}
+
+/// In mm, N and s.
+#[test]
+fn waves_in_other_units_are_the_same() {
+    let scaled = [
+        WATCHED,
+        ("units", "{ length = 'mm', force = 'N', time = 's' }"),
+        ("loads[0].gravity.acceleration", "[0, -9810.0, 0]"),
+        ("curve[1].at", "[400.0, 0, 0]"),
+        ("bodies.water.fluid.geometry.block", "{ lengths = [800.0, 200.0], spacing = 20.0 }"),
+        ("bodies.water.fluid.material.liquid", "{ density = 1000e-12, sound_speed = 15000.0 }"),
+        ("bodies.water.fluid.beach", "{ from = [400.0, 0, 0], length = 400.0, period = 0.5, depth = 200.0 }"),
+        (
+            "bodies.flume.walls.geometry.basin",
+            "{ min = [-100.0, 0.0], max = [800.0, 300.0], open = ['x0', 'y1'] }",
+        ),
+        ("bodies.piston.walls.geometry.block", "{ lengths = [80.0, 280.0], origin = [-80.0, 0.0] }"),
+        ("bodies.piston.walls.motion.waves", "{ height = 20.0, period = 0.5, depth = 200.0, growth = 0.5 }"),
+    ];
+    let [one, other] = [flume(&[WATCHED]), flume(&scaled)];
+    for name in ["x", "h", "u"] {
+        let off = apart(&one, &other, name, 1e-3);
+        assert!(off < 1e-7, "{name}: {off:e}");
+    }
+}
+
+/// The same bits for any threads, and of a run in sittings.
+#[test]
+fn waves_are_the_same_bits_however_they_are_run() {
+    let short = [WATCHED, ("analysis.explicit.transient.duration", "0.2")];
+    let one = flume(&short).curve.rows;
+    let scene = overridden(FLUME, "flume.toml", &short).unwrap();
+    for threads in [2, 3] {
+        assert_eq!(scene.build(threads).unwrap().run(&mut coque::Silent).curve.rows, one, "{threads}");
+    }
+    stopped_again_and_again("flume", FLUME, &short, 3);
 }

@@ -106,6 +106,18 @@ fn transient_runs_go_on_to_the_same_bits() {
     stopped_again_and_again("transient", &text("panel.toml"), &replaced, 6);
 }
 
+/// A base that moves by a record: its way is found anew from its time, and is in the columns after a pause as before.
+#[test]
+fn a_run_on_a_shaken_base_goes_on_to_the_same_bits() {
+    let replaced = [
+        ("geometry.plate.particles", "[9, 3]"),
+        ("analysis.explicit.transient.duration", "0.5"),
+        ("analysis.explicit.transient.base.response", "\"absolute\""),
+    ];
+    let text = text("deck-in-quake.toml").replace("[output.fields]\nevery = 5\n", "");
+    stopped_again_and_again("shaken", &text, &replaced, 6);
+}
+
 /// Beams with a heavy body at their end, and a rib that hangs on a plate: groups and hosts hold no state of their own.
 #[test]
 fn bodies_and_ties_go_on_to_the_same_bits() {

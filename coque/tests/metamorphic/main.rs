@@ -27,7 +27,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 57] = [
+const SCENES: [(&str, Replaced); 59] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -39,6 +39,8 @@ const SCENES: [(&str, Replaced); 57] = [
     ("tensioned-plate.toml", &[]),
     ("cantilever-shaken.toml", &SHAKEN),
     ("cantilever-shaken.toml", &SHAKEN_DIRECTLY),
+    ("deck-in-quake.toml", &QUAKE),
+    ("two-span-cases.toml", &[("geometry.plate.particles", "[41, 3]")]),
     ("heated-plate.toml", &[]),
     ("sandwich-panel.toml", &[]),
     ("bimetal-strip.toml", &[]),
@@ -111,6 +113,14 @@ const SHAKEN_DIRECTLY: [(&str, &str); 2] = [
         "analysis",
         "{ harmonic = { frequencies = [5.0, 15.0, 120.0], damping.rayleigh = { mass = 4.0, stiffness = 1e-5 }, base.acceleration = [0.1, 0.5, 1.0] } }",
     ),
+];
+
+/// On a base that moves by a record in a direction of no axis, seen from space.
+const QUAKE: [(&str, &str); 4] = [
+    ("geometry.plate.particles", "[9, 3]"),
+    ("analysis.explicit.transient.duration", "0.5"),
+    ("analysis.explicit.transient.base.acceleration", "[0.1, 0.5, 1.0]"),
+    ("analysis.explicit.transient.base.response", "\"absolute\""),
 ];
 
 const LAP: [(&str, &str); 3] = [

@@ -16,7 +16,8 @@ fn backwards(text: &str) -> String {
 #[test]
 fn conditions_in_another_order_give_the_same_curve() {
     let mut failures = Vec::new();
-    for scene in SCENES {
+    // Rows of load cases stand in the order of the loads (coque/tests/shells/cases.rs).
+    for scene in SCENES.into_iter().filter(|(name, _)| !text(name).contains("case = ")) {
         let (one, other) = (of_the_list(scene), ran(&backwards(&text(scene.0)), scene.1, 1));
         let ones = vec![1.0; one.curve.columns.len()];
         judge(&mut failures, "order", scene.0, difference(&one, &other, &ones), 1e-9);

@@ -112,7 +112,8 @@ fn a_scene_in_other_units_gives_the_same_curve_in_those() {
     let units = units();
     assert_eq!(factor("F T²/L⁴"), Some(1e15));
     let mut failures = Vec::new();
-    for (name, replaced) in SCENES {
+    // Numbers of a record are in units of their own, not in those that are scaled (coque/tests/runs/base.rs).
+    for (name, replaced) in SCENES.into_iter().filter(|(name, _)| !text(name).contains("record = {")) {
         // What is replaced has units as well.
         let mut own: toml::Table = text(name).parse().unwrap();
         for (path, value) in replaced {

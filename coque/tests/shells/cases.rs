@@ -3,10 +3,12 @@
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 
 use crate::common::refused::refused;
 use crate::common::{Replaced, overridden, ran, text};
-use coque::{Ended, Outcome, Scene};
+use coque::accuracy::{Asked, ClimbError};
+use coque::{Ended, Outcome, Scene, Silent};
 
 const SLAB: &str = "two-span-cases.toml";
 
@@ -107,10 +109,74 @@ fn each_case_is_the_scene_with_its_loads_alone_and_one_factor_serves_all() {
     let outcome = solved(&format!("{}analysis.linear = {{}}\n", plate(None)));
     let found = rows(&outcome);
     assert_eq!((outcome.summary.record.factorisations, outcome.summary.record.solves), (1, 5));
-    for case in ["pushed", "blown", "heavy", "warm"] {
+    for case in ["pushed", "blown", "heavy", "warm", "lifted"] {
         let [a, b] = [&found[case], &alone(&[(case, 1.0)])].map(|row| measured(row));
         assert!(off(&a, &b) < 1e-9, "{case}: {a:?} {b:?}");
     }
+}
+
+/// Directors that turn, and an edge that turns as one body, each in a case beside a force: the scene with that motion alone, and standing still under the force.
+#[test]
+fn motions_that_turn_are_cases() {
+    let scene = |motion: &str, [by, force]: [f64; 2], cases: [&str; 2]| {
+        let [turn, push] = cases;
+        format!(
+            "title = 'Plate'
+            units = {{ length = 'm', force = 'N', time = 's' }}
+            geometry.plate = {{ lengths = [0.4, 0.3], particles = [7, 6] }}
+            material.elastic = {{ young = 70e9, poisson = 0.3, density = 2700.0 }}
+            section.homogeneous = {{ thickness = 0.004 }}
+            supports = [
+                {{ on = 'u0', clamped = {{}} }},
+                {{ on = 'u1', {motion}, by = {by:?} }}{turn} }},
+            ]
+            loads = [{{ on = 'all', gravity = {{ acceleration = [0, 0, {force:?}] }}{push} }}]
+            analysis.linear = {{}}
+            sets.middle = {{ nearest = [0.2, 0.15, 0.0] }}
+            curve = [
+                {{ name = 'w', of = 'displacement', on = 'middle', direction = [0.1, 0.3, 1.0] }},
+                {{ name = 'turn', of = 'rotation', on = 'u1', direction = [0.5, 1, 0] }},
+                {{ name = 'R', of = 'reaction', on = 'u0', direction = [0, 0, 1] }},
+            ]"
+        )
+    };
+    let cases = [", case = 'turn'", ", case = 'push'"];
+    for motion in [
+        "rotated = { axis = [0, 1, 0]",
+        "turned = { axis = [0, 1, 0], point = [0.4, 0, 0]",
+        "turned = { axis = [1, 0.2, 0], point = [0.4, 0.1, 0]",
+    ] {
+        let found = rows(&solved(&scene(motion, [0.05, -9.81], cases)));
+        for (case, size) in [("turn", [0.05, 0.0]), ("push", [0.0, -9.81])] {
+            let alone = solved(&scene(motion, size, [""; 2])).curve.rows[0].clone();
+            let [a, b] = [&found[case], &alone].map(|row| measured(row));
+            // In sizes of the greater of both cases: what symmetry makes zero is rounding.
+            for (at, (a, b)) in a.iter().zip(&b).enumerate() {
+                let size = found.values().map(|row| measured(row)[at].abs()).fold(0.0, f64::max);
+                assert!(size > 0.0 && (a - b).abs() < 1e-9 * size, "{motion}, {case}, {at}: {a} {b}");
+            }
+        }
+    }
+}
+
+/// One factor and a solve for each case are forecast, none of a combination; and no accuracy, as no errors are found.
+#[test]
+fn a_forecast_counts_cases() {
+    let scene = Scene::parse(&format!("{}{COMBINED}", plate(None)), "cases.toml").unwrap();
+    let estimate = scene.build(1).unwrap().estimate();
+    assert_eq!((estimate.steps, estimate.solves), (Some([1.0; 2]), Some([5.0; 2])));
+    let iterated = [("analysis.linear.solver".to_string(), "conjugate-gradients".to_string())];
+    let text = format!("{}{COMBINED}", plate(None));
+    let iterated =
+        Scene::with_overrides(&text, "cases.toml", &iterated).unwrap().build(1).unwrap().estimate();
+    assert_eq!(iterated.solves, Some([5.0; 2]));
+    assert_eq!(iterated.seconds, Some([5.0 * iterated.seconds_a_step; 2]));
+    let asked = Asked { accuracy: 0.01, within: std::time::Duration::from_secs(1), lattices: 2, threads: 1 };
+    let refused = scene.forecast(&asked, &mut |_, _| ControlFlow::Continue(()));
+    assert!(matches!(refused, Err(ClimbError::Silent(why)) if why.contains("without `case`")));
+    let outcome = scene.build(1).unwrap().run(&mut Silent);
+    let errors = scene.errors(&outcome, 1, &mut Silent);
+    assert!(errors.without.iter().any(|why| why.contains("without `case`")) && errors.columns.is_empty());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
 use crate::common::refused::refused;
-use crate::common::{column, text};
+use crate::common::{column as column_of, text};
 use crate::strip::{self, THIN, strip};
 
 const GIVEN: &str = "sandwich-panel.toml";
@@ -40,7 +40,7 @@ fn both(analysis: &str, name: &str, bound: f64) {
     let [a, b] = [plain, own].map(|text| {
         // Modes have no curve of their own.
         let curve = if name == "w" { text.len() } else { text.find("[[curve]]").unwrap() };
-        column(&strip::run(&text[..curve]), name)
+        column_of(&strip::run(&text[..curve]), name)
     });
     assert!(a.len() == b.len() && !a.is_empty());
     let most = a.iter().fold(0.0_f64, |most, value| most.max(value.abs()));

@@ -85,6 +85,22 @@ fn a_cut_beside_the_support_bears_its_reaction() {
     }
 }
 
+/// A set that holds all beyond the cut gives what all particles do.
+#[test]
+fn a_set_that_holds_all_beyond_the_cut_will_do() {
+    let narrow = column("section-force", 2, "")
+        .replace("on = \"all\"", "on = \"far\"")
+        .replace("force-2", "force-far");
+    let list = format!(
+        "far.box = {{ min = [3.1, -1.0, -1.0], max = [11.0, 3.0, 1.0] }}\n{}{narrow}",
+        column("section-force", 2, "")
+    );
+    let found = ran(Scene::parse(&cantilever("linear = {}", &list), "cut.toml"));
+    let [all, far] = ["section-force-2", "section-force-far"].map(|name| last(&found, name));
+    assert_eq!(all.to_bits(), far.to_bits());
+    assert!(all > 1.0);
+}
+
 #[test]
 fn cuts_that_are_none() {
     let text = cantilever("linear = {}", &column("section-force", 0, ""));

@@ -98,6 +98,59 @@ fn loads_by_area_have_the_size_of_their_part() {
     assert!(reaction("on = \"surface\", pressure = { value = 2 }", x).abs() < 1e-9);
 }
 
+/// A director that stays in a plane may not be turned out of it.
+#[test]
+fn a_held_director_does_not_turn() {
+    let built = |axis: &str| {
+        let held = "{ on = \"x0\", held = { director = [[1, 0, 0]] } }";
+        let turned = format!("{{ on = \"x0\", turned = {{ axis = {axis}, by = 5 }} }}");
+        let supports = format!("[{held}, {turned}]");
+        crate::common::scene("plate-pd.toml", &[("supports", &supports)]).unwrap().build(1).map(|_| ())
+    };
+    // About y it would leave the plane normal to x; about x it stays in it.
+    let fault = built("[0, 1, 0]").unwrap_err().to_string();
+    assert!(fault.contains("node 0 is prescribed to move"), "{fault}");
+    built("[1, 0, 0]").unwrap();
+}
+
+/// A set that is called as a group would be nodes to a support and the group to a pressure.
+#[test]
+fn a_set_may_not_be_called_as_a_group() {
+    let file = Obj::cuboid(LOW, HIGH).write("named");
+    let rest = "analysis.linear = {}\nsupports = [{ on = \"x0\", clamped = {} }]\n\
+                sets.side1 = { layer = { face = \"x1\", depth = 0.2 } }\nloads = [{ on = \"side1\", pressure = { value = 1 } }]";
+    let fault = overridden(&bar(&filled(&file), rest), "", &[]).unwrap().build(1).unwrap_err().to_string();
+    assert!(
+        fault.contains("`sets.side1`") && fault.contains("the file has a group that is called so"),
+        "{fault}"
+    );
+}
+
+/// What lies in a plane of symmetry is no surface: half of a bar under loads on all of its surface, or on a region, is half of it.
+#[test]
+fn a_half_bears_half_of_what_acts_on_its_surface() {
+    let whole = Obj::cuboid(LOW, HIGH).write("whole");
+    let half = Obj::cuboid([LOW[0], -0.4, LOW[2]], HIGH).write("half");
+    let found = |file: &str, mirror: &str, on: &str| {
+        let rest = format!(
+            "analysis.linear = {{}}\nsupports = [{{ on = \"root\", clamped = {{}} }}{mirror}]\n\
+             loads = [{{ on = \"{on}\", traction = {{ value = [2, 0, 0.3] }} }}]\n\
+             sets.root = {{ layer = {{ face = \"x0\", depth = 0.25 }} }}\nsets.tip = {{ layer = {{ face = \"x1\", depth = 0.15 }} }}\n\
+             curve = [{{ name = \"R\", of = \"reaction\", on = \"root\", direction = [1, 0, 0] }}, \
+                      {{ name = \"u\", of = \"displacement\", on = \"x1\", direction = [1, 0, 0] }}]"
+        );
+        let outcome = ran(overridden(&bar(&filled(file), &rest), "", &[]));
+        ["R", "u"].map(|name| last(&outcome, name))
+    };
+    for on in ["surface", "tip"] {
+        let [reaction, u] = found(&whole, "", on);
+        let mirror = ", { on = \"y0\", symmetry = { normal = [0, 1, 0] } }";
+        let [of_half, u_of_half] = found(&half, mirror, on);
+        assert!((2.0 * of_half / reaction - 1.0).abs() < 1e-9, "{on}: {of_half} {reaction}");
+        assert!((u_of_half / u - 1.0).abs() < 1e-8, "{on}: {u_of_half} {u}");
+    }
+}
+
 /// A dead pressure on the faces of a block is the traction against their normals, in a plane too.
 #[test]
 fn a_pressure_on_a_block_is_a_traction_inwards() {

@@ -5,9 +5,9 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::common::ran;
 use crate::common::refused::refused;
-use coque::scene::Amplitude;
+use crate::common::{ran, scenes};
+use coque::scene::{Amplitude, Analysis};
 use coque::{Checked, Scene};
 
 const STRIP: &str = r#"
@@ -78,6 +78,54 @@ fn what_is_kept_needs_the_file_no_more() {
     }
 }
 
+/// What an override replaces is not asked for; of a sweep the files of all its runs are held, and a run without its file is refused alone.
+#[test]
+fn only_files_of_what_is_run_are_held() {
+    let folder = folder("replaced");
+    fs::remove_file(folder.join("push.csv")).unwrap();
+    fs::write(folder.join("third.csv"), PUSH.replace("0.5", "0.25")).unwrap();
+    let origin = folder.join("strip.toml").display().to_string();
+    let by = |file: &str| vec![("loads[0].amplitude.record.file".to_string(), format!("\"{file}\""))];
+    let other = by("other.csv");
+    let wanted = points(&read(STRIP, &folder, &other));
+    let text = Scene::whole_text(STRIP, &origin, &other).unwrap();
+    assert!(Scene::whole_text(STRIP, &origin, &[]).is_err());
+    let all =
+        Scene::whole_text_of(STRIP, &origin, &[other.clone(), by("none.csv"), by("third.csv")]).unwrap();
+    fs::remove_file(folder.join("other.csv")).unwrap();
+    fs::remove_file(folder.join("third.csv")).unwrap();
+    assert_eq!(points(&read(&text, &folder, &other)), wanted);
+    assert_eq!(points(&read(&all, &folder, &other)), wanted);
+    assert_eq!(points(&read(&all, &folder, &by("third.csv")))[1], [0.004, 125.0]);
+    assert!(Scene::with_overrides(&all, &origin, &by("none.csv")).is_err());
+}
+
+/// Of CSV and of .AT2, ending at zero or not: the base is at rest where it began when the record is over, and the run goes on.
+#[test]
+fn a_base_with_a_baseline_ends_at_rest() {
+    let deck = fs::read_to_string(scenes().join("deck-in-quake.toml")).unwrap();
+    let short = "[files]\n\"a.csv\" = \"0,1\\n0.002,-3\\n0.005,2\\n\"\n\"b.csv\" = \"0.001,1\\n0.002,-3\\n0.005,2\\n0.01,0\\n\"\n";
+    let on = |file: &str| {
+        let base = format!(
+            "record_every = 0.005, base = {{ acceleration = [1, 0, 0], amplitude = {{ record = {{ file = \"{file}\", baseline = \"linear\" }} }} }} }}"
+        );
+        let load = STRIP.lines().find(|line| line.starts_with("loads")).unwrap();
+        STRIP.replace(load, "").replace("record_every = 0.005 }", &base) + short
+    };
+    for (text, end) in [(on("a.csv"), 0.008), (on("b.csv"), 0.01), (deck, 7.98)] {
+        let scene = Scene::parse(&text, "scene.toml").unwrap();
+        let Analysis::Explicit(explicit) = &scene.analysis else { panic!() };
+        let base = explicit.transient.as_ref().unwrap().base.as_ref().unwrap();
+        let Amplitude::Table(points) = &base.amplitude else { panic!() };
+        let [at, last] = points[points.len() - 1];
+        assert!((at - end).abs() < 1e-12 && last == 0.0, "{at} {last}");
+        let most = points.iter().fold(0.0_f64, |most, [_, x]| most.max(x.abs()));
+        let [v, u] = base.amplitude.integrals(at);
+        // Rounding of sums of four hundred numbers.
+        assert!(most > 0.1 && v.abs() < 1e-14 * most * at && u.abs() < 1e-14 * most * at * at, "{v} {u}");
+    }
+}
+
 /// A file that an included scene names lies beside that one.
 #[test]
 fn an_included_record_is_named_from_its_folder() {
@@ -98,8 +146,18 @@ fn an_included_record_is_named_from_its_folder() {
 fn what_is_no_record_is_refused() {
     let held = format!(
         "{STRIP}\n[files]\n\"push.csv\" = \"t,F\\n0,0\\n1,1\\n\"\n\"words.csv\" = \"0,0\\n1,x\\n\"\n\"back.csv\" = \"0,0\\n0,1\\n\"\n\"v.AT2\" = \"a\\nb\\nVELOCITY TIME SERIES IN UNITS OF CM/S\\nNPTS= 2, DT= .01\\n1 2\\n\"\n\
-         \"short.AT2\" = \"a\\nb\\nACCELERATION TIME SERIES IN UNITS OF G\\nNPTS= 3, DT= .01\\n1 2\\n\"\n"
+         \"short.AT2\" = \"a\\nb\\nACCELERATION TIME SERIES IN UNITS OF G\\nNPTS= 3, DT= .01\\n1 2\\n\"\n\
+         \"g.AT2\" = \"a\\nb\\nACCELERATION TIME SERIES IN UNITS OF G\\nNPTS= 3, DT= .01\\n1 2 0\\n\"\n\"letter.csv\" = \"0,1.O\\n1,2\\n\"\n\
+         \"names.csv\" = \"time [s] a b\\n0 1 2\\n\"\n\"two.csv\" = \"0,1\\n1,0\\n\"\n"
     );
+    let transient = "record_every = 0.005 }";
+    let base = |record: &str| {
+        format!(
+            "record_every = 0.005, base = {{ acceleration = [1, 0, 0], amplitude = {{ record = {{ {record} }} }} }} }}"
+        )
+    };
+    let base_in_kn = base("file = \"push.csv\", units = [\"ms\", \"kN\"]");
+    let base_of_two = base("file = \"two.csv\", baseline = \"linear\"");
     let all = "file = \"push.csv\", columns = [\"t\", \"F\"], units = [\"ms\", \"kN\"]";
     let said = refused(
         &held,
@@ -117,6 +175,20 @@ fn what_is_no_record_is_refused() {
             ("a velocity", all, "file = \"v.AT2\""),
             ("a part of a record", all, "file = \"short.AT2\""),
             ("columns of a record", all, "file = \"short.AT2\", columns = [1, 2]"),
+            ("a word in the first row", all, "file = \"letter.csv\""),
+            ("names with blanks between blanks", all, "file = \"names.csv\", columns = [\"time\", \"a\"]"),
+            ("times in metres", "\"ms\", \"kN\"", "\"mm\", \"kN\""),
+            ("a force in metres", "\"ms\", \"kN\"", "\"ms\", \"mm\""),
+            ("a base in newtons", transient, &base_in_kn),
+            (
+                "a change of temperature in newtons",
+                "force = { total = [0, 0, 1] }",
+                "temperature = { change = 1.0 }",
+            ),
+            ("milliseconds of an .AT2", all, "file = \"g.AT2\", units = [\"ms\", \"-\"]"),
+            ("metres of an .AT2", all, "file = \"g.AT2\", units = [\"s\", \"m/s^2\"]"),
+            ("a force in g", all, "file = \"g.AT2\""),
+            ("a line off two points", transient, &base_of_two),
             ("a key that there is not", "factor", "facter"),
             (
                 "a record where no time passes",

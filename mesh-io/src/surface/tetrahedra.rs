@@ -49,19 +49,21 @@ pub(super) fn bounded(raw: &mut Raw, solids: &[Tetrahedron]) -> Result<Vec<Optio
         .map(|(_, face, solid)| (solid.label, face, solid))
         .collect();
     outer.sort_unstable_by_key(|(label, face, _)| (*label, *face));
-    let mut given: HashMap<[u32; 3], usize> = HashMap::new();
+    // A file may have a face once for each group that it belongs to.
+    let mut given: HashMap<[u32; 3], Vec<usize>> = HashMap::new();
     for (number, face) in raw.faces.iter().enumerate().filter(|(_, face)| face.cell.count == 3) {
         let [a, b, c, _] = face.cell.corners;
-        given.insert(sorted([a, b, c]), number);
+        given.entry(sorted([a, b, c])).or_default().push(number);
     }
     let mut numbers = vec![None; raw.faces.len()];
     let mut all = Vec::with_capacity(outer.len());
     for (number, (_, corners, solid)) in (0..).zip(outer) {
-        let named = given.get(&sorted(corners)).copied();
-        let (label, line) = named.map_or((solid.label, solid.line), |known| {
-            numbers[known] = Some(number);
-            (raw.faces[known].label, raw.faces[known].line)
-        });
+        let named = given.get(&sorted(corners)).map_or(&[][..], Vec::as_slice);
+        named.iter().for_each(|&known| numbers[known] = Some(number));
+        let (label, line) = match named.first() {
+            Some(&known) => (raw.faces[known].label, raw.faces[known].line),
+            None => (solid.label, solid.line),
+        };
         all.push(Face { cell: Cell::triangle(corners), label, line });
     }
     let within = numbers.iter().filter(|number| number.is_none()).count();

@@ -68,7 +68,8 @@ pub(in crate::bodies) fn coupled_model(
     };
     let mut description = describe::of_fluid(of_fluid, wanted, &fluid);
     if left_out > 0 {
-        let line = format!("{left_out} particles of the geometry left out, inside of rigid bodies");
+        let line =
+            format!("{left_out} particles of the geometry left out, inside of rigid bodies or on them");
         description.modelled.push(line);
     }
     let mut warnings = leaks(&walls);
@@ -166,7 +167,8 @@ fn coupled_fluid(
     threads: usize,
 ) -> Result<Fluid, SceneError> {
     let mut positions = places::places(wanted);
-    positions.retain(|place| !wets.iter().any(|(_, wet)| wet.encloses(place)));
+    let spacing = wanted.geometry.spacing();
+    positions.retain(|place| !wets.iter().any(|(_, wet)| wet.excludes(place, spacing)));
     let velocities = places::velocities(wanted, &positions);
     let gravity = gravity_on(scene.scene, scene.name);
     let wall = |body: &BuiltWalls<'_>, points: &[Vec3]| Wall {
@@ -181,7 +183,7 @@ fn coupled_fluid(
     };
     let all = Parts {
         dimensions: wanted.dimensions(),
-        spacing: wanted.geometry.spacing(),
+        spacing,
         positions,
         velocities,
         liquid: parts::liquid(wanted),

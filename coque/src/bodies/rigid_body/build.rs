@@ -52,6 +52,7 @@ pub(in crate::bodies) fn rigid_made(
         supports.push(Support::Held { displacement, rotation });
     }
     let wet = fluid.map(|fluid| wet_points(scene, rigid, (&outline, &mass), fluid)).transpose()?;
+    let (wet, leaky) = wet.map_or((None, None), |(wet, leaky)| (Some(wet), leaky));
     refuse_free_motion(scene, || {
         let all = Vec::from_iter(0..rest.len() as u32);
         free_of(&rest, &all, holds(&supports, &springs, &mass.centre))
@@ -74,7 +75,7 @@ pub(in crate::bodies) fn rigid_made(
     }
     let mut description = describe(&body, &mass, apart);
     description.modelled.extend(wet.map(|wet| wetted_line(&wet)));
-    let (driven, warnings, judge) = (None, Vec::new(), None);
+    let (driven, warnings, judge) = (None, Vec::from_iter(leaky), None);
     Ok(BuiltBody { body, description, memory, identity, probes, driven, warnings, judge, sets })
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use rigid_body::{Outline, ball, cuboid};
-use sph_core::Vec3;
+use sph_core::{Cell, Vec3};
 
 use crate::bodies::Identity;
 use crate::bodies::from_file::surface;
@@ -24,9 +24,26 @@ pub(super) fn outline(
         RigidGeometry::Box(own) => Ok((cuboid(own.min, own.max, own.spacing.get()), Identity::default())),
         RigidGeometry::Mesh(mesh) => {
             let (surface, identity) = surface(scene, mesh, "geometry.mesh")?;
-            Ok((Outline { vertices: surface.positions, cells: surface.faces }, identity))
+            Ok((joined(&surface.positions, &surface.faces), identity))
         }
     }
+}
+
+/// One surface of sheets that meet in folds, where each has nodes of its own: nodes on one place are one vertex.
+fn joined(places: &[Vec3], faces: &[Cell]) -> Outline {
+    let (mut numbers, mut vertices) = (BTreeMap::new(), Vec::new());
+    // Adding zero makes −0 and 0 one.
+    let bits = |x: &Vec3| [x.x, x.y, x.z].map(|c| (c + 0.0).to_bits());
+    let mut number = |x: &Vec3| {
+        *numbers.entry(bits(x)).or_insert_with(|| {
+            vertices.push(*x);
+            vertices.len() as u32 - 1
+        })
+    };
+    let new: Vec<u32> = places.iter().map(&mut number).collect();
+    let at = |corner: u32| new.get(corner as usize).copied().unwrap_or(corner);
+    let cells = faces.iter().map(|face| Cell { corners: face.corners.map(at), count: face.count }).collect();
+    Outline { vertices, cells }
 }
 
 /// The sets of a rigid body by name: the body itself at its centre, and vertices that regions pick.

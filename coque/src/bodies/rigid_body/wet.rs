@@ -3,63 +3,112 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use rigid_body::{MassProperties, Outline, WetPoints};
-use sph_core::{LineSide, SpaceError, Vec3, block_rows, polyline_rows, surface_rows};
+use sph_core::{
+    LineSide, SpaceError, Vec3, block_rows, leaks, polyline_first_row, polyline_rows, surface_first_row,
+    surface_rows,
+};
 
 use crate::bodies::fluid::parts::{liquid, rows_deep};
 use crate::bodies::refusal::body_error;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::{FluidScene, RigidGeometry, RigidScene};
+use crate::warning::{Warning, WarningKind};
 
 /// Part by which the volume of a prism may differ from its outline times its width.
 const EVEN: f64 = 1e-6;
+/// Sine of the angle by which a face of a prism may lean from its axis or from across it: coordinates of a file have six digits or more, edges of its faces a hundredth of its size.
+const UPRIGHT: f64 = 1e-4;
 /// Sine of the turn at a corner of an outline below which it is none.
 const STRAIGHT: f64 = 1e-9;
 
-/// The points of a body of these masses, and the width of a plane one.
+/// The points of a body of these masses, and the width of a plane one; with a warning where rows behind its faces have gaps.
 pub(super) fn wet_points(
     scene: &BodyInScene<'_>,
     rigid: &RigidScene,
     (outline, mass): (&Outline, &MassProperties),
     fluid: &FluidScene,
-) -> Result<WetPoints, SceneError> {
+) -> Result<(WetPoints, Option<Warning>), SceneError> {
     let (dimensions, spacing, deep) = (fluid.dimensions(), fluid.geometry.spacing(), rows_deep(fluid));
     let path = format!("geometry.{}", rigid.geometry.word());
     let refused = |error: SpaceError| body_error(scene, &path, &error.to_string());
     let low = lowest(outline);
     let lengths = -lowest_of(outline, -1.0) - low;
     let plane = dimensions == 2;
+    let faces = match &rigid.geometry {
+        RigidGeometry::Box(_) => Faces::Box { low, lengths },
+        _ if plane => Faces::Prism(prism(outline).ok_or_else(|| no_prism(scene, &path))?),
+        _ => Faces::Surface { triangles: triangles(outline), outside: low - Vec3::repeat(lengths.max()) },
+    };
     let rows = |deep: usize| -> Result<Vec<Vec3>, SceneError> {
-        let lines = match &rigid.geometry {
-            RigidGeometry::Box(_) => block_rows(lengths.into(), &low, dimensions, spacing, deep),
-            _ if plane => {
-                let corners = prism(outline).ok_or_else(|| no_prism(scene, &path))?;
-                polyline_rows(&corners, LineSide::Left, spacing, deep)
-            }
-            _ => {
-                let (vertices, triangles) = (&outline.vertices, triangles(outline));
-                let outside = low - Vec3::repeat(lengths.max());
-                surface_rows(vertices, &triangles, &outside, spacing, deep)
+        let lines = match &faces {
+            Faces::Box { low, lengths } => block_rows((*lengths).into(), low, dimensions, spacing, deep),
+            Faces::Prism(corners) => polyline_rows(corners, LineSide::Left, spacing, deep),
+            Faces::Surface { triangles, outside } => {
+                surface_rows(&outline.vertices, triangles, outside, spacing, deep)
             }
         };
-        let mut points = lines.map_err(refused)?;
-        if plane {
-            points.iter_mut().for_each(|point| point.z = mass.centre.z);
-        }
-        Ok(points)
+        lines.map_err(refused)
     };
-    let points = rows(deep)?;
+    let mut points = rows(deep)?;
+    if points.is_empty() {
+        return Err(thin(scene, &path, spacing));
+    }
+    // Of a box, rows fit as its edges are checked.
+    let wanted = match &faces {
+        Faces::Box { .. } => Vec::new(),
+        Faces::Prism(corners) => polyline_first_row(corners, LineSide::Left, spacing).map_err(refused)?,
+        Faces::Surface { triangles, outside } => {
+            surface_first_row(&outline.vertices, triangles, outside, spacing).map_err(refused)?
+        }
+    };
+    let leaky = leaky(leaks(&wanted, &points, dimensions, spacing));
+    let mut front = rows(1)?;
+    if plane {
+        points.iter_mut().chain(&mut front).for_each(|point| point.z = mass.centre.z);
+    }
     let key = |x: &Vec3| [x.x, x.y, x.z].map(f64::to_bits);
-    let front: BTreeSet<[u64; 3]> = rows(1)?.iter().map(key).collect();
+    let front: BTreeSet<[u64; 3]> = front.iter().map(key).collect();
     let first = points.iter().map(|x| front.contains(&key(x))).collect();
     let liquid = liquid(fluid);
-    Ok(WetPoints {
+    let wet = WetPoints {
         points,
         first,
         area: if plane { spacing } else { spacing * spacing },
         width: plane.then_some(lengths.z),
         impedance: liquid.density * liquid.sound_speed,
-    })
+    };
+    Ok((wet, leaky))
+}
+
+/// What rows stand behind.
+enum Faces {
+    /// A box from its lowest corner.
+    Box { low: Vec3, lengths: Vec3 },
+    /// The outline of a prism in the plane.
+    Prism(Vec<[f64; 2]>),
+    /// Triangles, and a place outside of them.
+    Surface { triangles: Vec<[u32; 3]>, outside: Vec3 },
+}
+
+/// The refusal of a body without room for a row.
+fn thin(scene: &BodyInScene<'_>, path: &str, spacing: f64) -> SceneError {
+    let message = format!(
+        "a body thinner than a spacing of the fluid, {spacing}, everywhere: no row of points fits behind its faces, and water would go through; \
+         make it thicker, use a narrower spacing, or a shell"
+    );
+    body_error(scene, path, &message)
+}
+
+/// The warning of rows with gaps at so many places.
+fn leaky(places: usize) -> Option<Warning> {
+    let message = || {
+        format!(
+            "wet points have gaps wider than 1.2 spacings at {places} places, where the body is thinner than a spacing or sharp: \
+             fluid may leak; use a narrower spacing"
+        )
+    };
+    (places > 0).then(|| Warning::new(WarningKind::LeakyWall, message()))
 }
 
 /// Least coordinates of a surface.
@@ -89,6 +138,13 @@ fn triangles(outline: &Outline) -> Vec<[u32; 3]> {
     outline.cells.iter().flat_map(of).collect()
 }
 
+/// Whether a triangle lies along z or across it, to rounding of its corners; one without an area does.
+fn upright([a, b, c]: [Vec3; 3]) -> bool {
+    let normal = (b - a).cross(&(c - a));
+    let [along, across] = [normal.z.abs(), libm::hypot(normal.x, normal.y)];
+    along.min(across) <= UPRIGHT * along.max(across)
+}
+
 /// The outline of a prism along z, anticlockwise, its first corner again at its end; none of what is no prism, or has a hole.
 ///
 /// It is the cut at half of the height: each face that the cut crosses gives a piece between two of its edges.
@@ -96,6 +152,9 @@ fn prism(outline: &Outline) -> Option<Vec<[f64; 2]>> {
     let (low, high) = (lowest(outline).z, -lowest_of(outline, -1.0).z);
     let middle = 0.5 * (low + high);
     let at = |vertex: u32| outline.vertices[vertex as usize];
+    if !triangles(outline).into_iter().all(|corners| upright(corners.map(at))) {
+        return None;
+    }
     // From the edge at which the cut enters a face to the one at which it leaves, the face looking outwards on the right.
     let mut next: BTreeMap<[u32; 2], [u32; 2]> = BTreeMap::new();
     for cell in &outline.cells {
@@ -170,8 +229,15 @@ mod tests {
             outline.windows(2).map(|pair| pair[0][0] * pair[1][1] - pair[0][1] * pair[1][0]).sum();
         assert!((0.5 * anticlockwise - 3.0).abs() < 1e-12);
         assert!(prism(&ball([0.0; 3], 1.0, 0.5)).is_none());
-        let mut leaning = cuboid([0.0; 3], [1.0; 3], 0.5);
-        leaning.vertices.iter_mut().for_each(|x| x.y *= 1.0 + x.z);
-        assert!(prism(&leaning).is_none_or(|outline| outline.len() == 5));
+        let bent = |by: fn(&mut Vec3)| {
+            let mut all = cuboid([0.0; 3], [1.0; 3], 0.5);
+            all.vertices.iter_mut().for_each(by);
+            prism(&all)
+        };
+        // It leans, tapers, widens linearly towards one end, or is as a file of seven digits has it.
+        assert!(bent(|x| x.y += 0.3 * x.z).is_none());
+        assert!(bent(|x| x.y *= 1.0 + x.z).is_none());
+        assert!(bent(|x| *x = Vec3::new(x.x * (1.0 + x.z), x.y / (1.0 + x.z), x.z)).is_none());
+        assert!(bent(|x| x.y += 1e-7 * x.z).is_some());
     }
 }

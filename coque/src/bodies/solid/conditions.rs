@@ -172,13 +172,13 @@ pub(super) fn loads(
             let weight = |&node: &u32| (node, acceleration * (density * block.volumes[node as usize]));
             nodes.iter().map(weight).collect()
         });
-        let traction = load.traction.iter().map(|traction| match sets.facets(load.on, nodes) {
+        let traction = load.traction.iter().map(|traction| match sets.facets(load.on, nodes, &planes) {
             Some(facets) if traction.depth.is_none() => {
                 on_surface(facets, &|area| Vec3::from(traction.value) * area.norm())
             }
             _ => on_nodes(tractions(block, sets, load.on, traction)),
         });
-        let pressure = load.pressure.iter().map(|pressure| match sets.facets(load.on, nodes) {
+        let pressure = load.pressure.iter().map(|pressure| match sets.facets(load.on, nodes, &planes) {
             Some(facets) => on_surface(facets, &|area| area * -pressure.value()),
             None => on_nodes(pressures(sets, load.on, pressure.value())),
         });

@@ -48,6 +48,11 @@ impl<'a> NodeSets<'a> {
             None => inside(region, &block.positions, block.greatest_spacing()),
         };
         let declared = Declared { scene, positions: &block.positions, own: &own, pick: &pick }.all()?;
+        if let Some(name) = declared.keys().find(|name| skin.is_some_and(|skin| skin.names(name))) {
+            let bound = "another name: the file has a group that is called so";
+            let repair = "rename the set, or leave it out and use the group";
+            return Err(SceneError::Set(scene.source.fault(&format!("sets.{name}"), name, bound, repair)));
+        }
         out.members.extend(declared);
         Ok(out)
     }
@@ -101,8 +106,8 @@ impl<'a> NodeSets<'a> {
     }
 
     /// The part of the surface that the nodes fill, by the name of a set; none of a block.
-    pub fn facets(&self, name: &str, nodes: &[u32]) -> Option<Vec<Facet>> {
-        self.skin.map(|skin| skin.facets(name, nodes))
+    pub fn facets(&self, name: &str, nodes: &[u32], planes: &[(usize, f64)]) -> Option<Vec<Facet>> {
+        self.skin.map(|skin| skin.facets(name, nodes, planes))
     }
 
     /// The nodes within a depth of a face of the block.

@@ -112,8 +112,14 @@ impl Skin {
         })
     }
 
-    /// The part of the surface that has this name, else what of it the nodes of a set bear.
-    pub fn facets(&self, name: &str, nodes: &[u32]) -> Vec<Facet> {
+    /// Whether a part has this name.
+    pub fn names(&self, name: &str) -> bool {
+        self.parts.contains_key(name)
+    }
+
+    /// The part of the surface that has this name, else what of it the nodes of a set bear. What lies in planes of symmetry, given by their
+    /// axes and where they cut them \[L\], is a cut through the whole body and bears nothing, but where a face is named.
+    pub fn facets(&self, name: &str, nodes: &[u32], planes: &[(usize, f64)]) -> Vec<Facet> {
         let held: BTreeSet<u32> = match self.parts.contains_key(name) {
             true => BTreeSet::new(),
             false => nodes.iter().copied().collect(),
@@ -122,6 +128,15 @@ impl Skin {
             Some(part) => part[facet.triangle as usize],
             None => held.contains(&facet.node),
         };
-        self.facets.iter().filter(within).copied().collect()
+        let is_cut = |facet: &Facet| {
+            let lies = |&(axis, at): &(usize, f64)| {
+                let flat = OF_FILLED[1 + 2 * axis..3 + 2 * axis].iter();
+                let flat = flat.filter_map(|face| self.parts.get(*face));
+                flat.into_iter().any(|part| part[facet.triangle as usize])
+                    && (facet.place[axis] - at).abs() < facet.area.norm().sqrt()
+            };
+            !OF_FILLED[1..7].contains(&name) && planes.iter().any(lies)
+        };
+        self.facets.iter().filter(within).filter(|facet| !is_cut(facet)).copied().collect()
     }
 }

@@ -171,7 +171,9 @@ fn behind_clamps(look: &Look<'_>, [along, across]: [usize; 2]) -> f64 {
 fn bends(look: &Look<'_>, axis: usize) -> bool {
     let (scene, arc) = (look.scene, look.body.geometry.arc.is_some());
     let loads = scene.loads.iter().flat_map(|load| {
-        let pressed = load.pressure.as_ref().and_then(|_| inward(load.on));
+        // A group of a file may look anywhere.
+        let anywhere = look.body.geometry.filled.as_ref().map(|_| Vec3::repeat(1.0));
+        let pressed = load.pressure.as_ref().and_then(|_| inward(load.on).or(anywhere));
         let others = [load.force.map(|f| f.total), load.traction.map(|t| t.value)];
         [others[0], others[1], load.gravity.map(|g| g.acceleration), pressed.map(Into::into)]
     });
@@ -247,7 +249,7 @@ fn loaded_surface(look: &Look<'_>) -> Option<String> {
             let own = nodes(column.on);
             matches!(column.of, Measured::Displacement)
                 && !own.is_empty()
-                && own.iter().all(|node| nodes(load.on).contains(node))
+                && own.iter().all(|node| nodes(load.on).binary_search(node).is_ok())
         })
     };
     let load = look.scene.loads.iter().filter(curved).find(read)?;

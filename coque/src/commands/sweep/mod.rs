@@ -63,7 +63,7 @@ Values are TOML; commas within brackets and quotes belong to the value.
 
 Results, in DIR:
   sweep.csv      a row per run: its number, the values, how it ended, words of its warnings (such as not-settled),
-                 wall time, and the last row of its curve; of modes a row each
+                 wall time, and the last row of its curve; of modes, load cases and combinations a row each
   001/curve.csv  the curve of each run, by number
   001/fields/    with [output.fields]: the frames of each run, shell.pvd for ParaView
   part-2-of-3.json   with --only, in place of sweep.csv: the rows of its runs
@@ -83,8 +83,9 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
     let Some(path) = &sweep.scene else { return Ok(BAD_INPUT) };
     let file = path.display().to_string();
     let text = read_text(path).map_err(|e| format!("cannot read {file}: {e}\n"))?;
-    let text = Scene::whole_text(&text, &file, &sweep.replaced).map_err(|e| Refused::scene(&e))?;
     let runs = combinations(&sweep.over)?;
+    let all: Vec<_> = runs.iter().map(|values| [&sweep.replaced[..], values].concat()).collect();
+    let text = Scene::whole_text_of(&text, &file, &all).map_err(|e| Refused::scene(&e))?;
     let stem = path.file_stem().unwrap_or("scene".as_ref()).to_string_lossy();
     let out = sweep.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{stem}-sweep")));
     let scene = Scene::with_overrides(&text, &file, &sweep.replaced);
@@ -112,16 +113,15 @@ pub fn carry_out(sweep: &Sweep, stop: &Arc<Stop>) -> Result<u8, Refused> {
             }
             let Some(&number) = own.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
             let values = &runs[number];
-            let replaced = [&sweep.replaced[..], &values[..]].concat();
-            let row = one(&text, &file, &replaced, &out.join(format!("{:03}", number + 1)), stop);
+            let row = one(&text, &file, &all[number], &out.join(format!("{:03}", number + 1)), stop);
             let named: Vec<String> = values.iter().map(|(path, value)| format!("{path}={value}")).collect();
-            let (all, named) = (runs.len(), named.join(" "));
+            let (count, named) = (runs.len(), named.join(" "));
             for warning in &row.warnings {
-                say(&format!("[{}/{all}] warning: {}", number + 1, warning.message));
+                say(&format!("[{}/{count}] warning: {}", number + 1, warning.message));
             }
             let warnings =
                 if row.warnings.is_empty() { String::new() } else { format!(", {}", row.warnings()) };
-            say(&format!("[{}/{all}] {named}: {}{warnings} ({:.1} s)", number + 1, row.ended, row.seconds));
+            say(&format!("[{}/{count}] {named}: {}{warnings} ({:.1} s)", number + 1, row.ended, row.seconds));
             // A poisoned lock means that another run panicked; what it left is whole rows.
             rows.lock().unwrap_or_else(|poisoned| poisoned.into_inner())[number] = Some(row);
         }
@@ -203,8 +203,8 @@ fn one(text: &str, file: &str, replaced: &[(String, String)], out: &Path, stop: 
         Ended::Interrupted { .. } => INTERRUPTED,
     };
     let Curve { columns, rows } = outcome.curve;
-    let first =
-        if columns.iter().any(|column| column.name == MODE) { 0 } else { rows.len().saturating_sub(1) };
+    let each = outcome.summary.cases.is_some() || columns.iter().any(|column| column.name == MODE);
+    let first = if each { 0 } else { rows.len().saturating_sub(1) };
     let shown = |row: &Vec<f64>| row.iter().map(|value| format!("{value:?}")).collect();
     let found = rows[first..].iter().map(shown).collect();
     let seconds = begun.elapsed().as_secs_f64();

@@ -15,7 +15,7 @@ pub(super) struct Row {
     pub code: u8,
     pub seconds: f64,
     pub columns: Vec<Column>,
-    /// The last row of its curve; all rows where they are modes.
+    /// The last row of its curve; all rows where they are modes or load cases.
     pub found: Vec<Vec<String>>,
     pub warnings: Vec<Warning>,
 }

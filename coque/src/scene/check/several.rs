@@ -2,6 +2,7 @@
 
 use super::analysis::check_driver;
 use super::sets::check_set_name;
+use super::wet_rigid::stays_in_plane;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::joints::{JointInScene, joints};
@@ -59,6 +60,7 @@ fn check_before(body: &BodyInScene<'_>) -> Verdict {
 /// Springs between bodies: along a direction, of sets that both bodies have, and nothing else in their support.
 pub(super) fn check_joints(scene: &Scene) -> Verdict {
     let s = &scene.scope();
+    let plane_fluid = scene.fluid().is_some_and(|(_, fluid)| fluid.dimensions() == 2);
     for JointInScene { path, ends, support, spring } in joints(scene)? {
         let at = |key: &str| format!("{path}.{key}");
         let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
@@ -102,6 +104,9 @@ pub(super) fn check_joints(scene: &Scene) -> Verdict {
             check_set_name(&view, &at(key), set)?;
             if let Some(solid) = view.as_solid() {
                 s.in_plane(&at("spring.direction"), direction, solid.is_plane())?;
+            }
+            if plane_fluid && view.as_rigid().is_some() {
+                stays_in_plane(s, &at("spring.direction"), direction)?;
             }
         }
     }

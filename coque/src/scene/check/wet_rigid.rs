@@ -77,13 +77,7 @@ fn check_plane(scene: &BodyInScene<'_>, rigid: &RigidScene) -> Verdict {
         let repair = "use [bodies.NAME.rigid.geometry.mesh] with a cylinder along z, or a fluid in space";
         return Err(SceneError::Choice(own.fault("geometry.ball", "a ball", bound, repair)));
     }
-    let along = |s: &Scope<'_>, path: &str, v: [f64; 3]| match v[2] == 0.0 {
-        true => Ok(()),
-        false => {
-            let repair = "set its third component to zero: a body in a plane fluid stays in the plane";
-            Err(s.value(path, format!("{v:?}"), "in the plane of x and y", repair))
-        }
-    };
+    let along = stays_in_plane;
     let about = |s: &Scope<'_>, path: &str, v: [f64; 3]| match v[0] == 0.0 && v[1] == 0.0 {
         true => Ok(()),
         false => {
@@ -126,4 +120,13 @@ fn check_plane(scene: &BodyInScene<'_>, rigid: &RigidScene) -> Verdict {
         }
     }
     Ok(())
+}
+
+/// Refuses a vector along which a body leaves the plane of a fluid.
+pub(super) fn stays_in_plane(s: &Scope<'_>, path: &str, v: [f64; 3]) -> Verdict {
+    if v[2] == 0.0 {
+        return Ok(());
+    }
+    let repair = "set its third component to zero: a body in a plane fluid stays in the plane";
+    Err(s.value(path, format!("{v:?}"), "in the plane of x and y", repair))
 }

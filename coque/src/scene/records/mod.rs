@@ -6,6 +6,7 @@
 mod at2;
 mod baseline;
 mod csv;
+mod measures;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -16,12 +17,12 @@ use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::amount;
+use self::measures::Multiplied;
 use super::error::{SceneError, Verdict};
 use super::parameters::units;
 use super::record::{Baseline, Record};
 use super::source::Source;
-use super::units::{Length, Units};
+use super::units::Units;
 
 /// Key of a course that a file has.
 const RECORD: &str = "record";
@@ -35,10 +36,6 @@ const TABLE: &str = "table";
 /// Points beyond which a record is taken for a mistake.
 const MOST_POINTS: usize = 1_000_000;
 
-/// Acceleration of gravity by which records in `g` count \[m/s²\].
-const GRAVITY: &str = "m/s^2";
-const STANDARD: f64 = 9.806_65;
-
 /// Records of a document as tables in TOML, by where each stands.
 pub(super) type Tables = BTreeMap<usize, String>;
 
@@ -49,12 +46,12 @@ pub(super) type Tables = BTreeMap<usize, String>;
 pub(super) fn read(document: &DeTable<'_>, source: &Source) -> Result<Tables, SceneError> {
     let mut tables = Tables::new();
     let units = units(document);
-    walk("", document, &mut |path, at, table| {
+    walk("", document, &mut |path, (at, table), multiplied| {
         let record =
             Record::deserialize(toml::de::Deserializer::from(Spanned::new(at.clone(), table.clone())));
         let record = record.map_err(|error| source.refusal(&error))?;
         let text = text_of(document, &record.file, path, source)?;
-        let points = points(&record, &text, path, source, units.as_ref())?;
+        let points = points((&record, &text), (path, source), multiplied, units.as_ref())?;
         let list: Vec<String> = points.iter().map(|[t, x]| format!("[{t:?}, {x:?}]")).collect();
         tables.insert(at.start, format!("[{}]", list.join(", ")));
         Ok(())
@@ -111,7 +108,7 @@ pub(super) fn files_of(
     source: &Source,
 ) -> Result<BTreeMap<String, String>, SceneError> {
     let mut found = BTreeMap::new();
-    walk("", document, &mut |path, _, table| {
+    walk("", document, &mut |path, (_, table), _| {
         let Some(DeValue::String(file)) = table.get("file").map(Spanned::get_ref) else { return Ok(()) };
         if kept(document, file).is_none() {
             found.insert(file.to_string(), text_of(document, file, path, source)?.into_owned());
@@ -158,35 +155,33 @@ pub(super) fn holds_files(document: &DeTable<'_>) -> bool {
     document.contains_key(FILES)
 }
 
-/// Visits every record of a document: the path of its amplitude, where it stands, its table.
-fn walk<'d>(
-    path: &str,
-    table: &'d DeTable<'_>,
-    visit: &mut dyn FnMut(&str, std::ops::Range<usize>, &'d DeTable<'_>) -> Verdict,
-) -> Verdict {
+/// Hears of a record: the path of its key, where it stands and its table, what its course multiplies.
+type Visit<'v, 'd> =
+    &'v mut dyn FnMut(&str, (std::ops::Range<usize>, &'d DeTable<'d>), Multiplied) -> Verdict;
+
+/// Visits every record of a document.
+fn walk<'d>(path: &str, table: &'d DeTable<'d>, visit: Visit<'_, 'd>) -> Verdict {
     for (key, value) in table {
-        walk_in(&below(path, key.get_ref()), value, visit)?;
+        let path_of_value = below(path, key.get_ref());
+        if let (AMPLITUDE, DeValue::Table(course)) = (&**key.get_ref(), value.get_ref())
+            && let Some(record) = course.get(RECORD)
+            && let DeValue::Table(own) = record.get_ref()
+        {
+            let at = (record.span(), own);
+            visit(&format!("{path_of_value}.{RECORD}"), at, Multiplied::beside(path, table))?;
+            continue;
+        }
+        walk_in(&path_of_value, value, visit)?;
     }
     Ok(())
 }
 
-fn walk_in<'d>(
-    path: &str,
-    value: &'d Spanned<DeValue<'_>>,
-    visit: &mut dyn FnMut(&str, std::ops::Range<usize>, &'d DeTable<'_>) -> Verdict,
-) -> Verdict {
+fn walk_in<'d>(path: &str, value: &'d Spanned<DeValue<'d>>, visit: Visit<'_, 'd>) -> Verdict {
     match value.get_ref() {
         DeValue::Array(items) => {
             items.iter().enumerate().try_for_each(|(i, item)| walk_in(&format!("{path}[{i}]"), item, visit))
         }
-        DeValue::Table(table) => {
-            if let (true, Some(record)) = (is_amplitude(path), table.get(RECORD))
-                && let DeValue::Table(own) = record.get_ref()
-            {
-                return visit(&format!("{path}.{RECORD}"), record.span(), own);
-            }
-            walk(path, table, visit)
-        }
+        DeValue::Table(table) => walk(path, table, visit),
         _ => Ok(()),
     }
 }
@@ -250,74 +245,55 @@ impl Misread {
 
 /// The points of a record in the units of the scene, times ascending.
 fn points(
-    record: &Record,
-    text: &str,
-    path: &str,
-    source: &Source,
+    (record, text): (&Record, &str),
+    (path, source): (&str, &Source),
+    multiplied: Multiplied,
     own: Option<&Units>,
 ) -> Result<Vec<[f64; 2]>, SceneError> {
-    let refuse = |misread: Misread| {
+    course(record, text, multiplied, own).map_err(|misread| {
         let Misread { value, bound, repair, key } = misread;
         SceneError::Value(source.fault(&format!("{path}.{key}"), &value, &bound, &repair))
-    };
+    })
+}
+
+/// The same, with what is no record as the file says it.
+fn course(
+    record: &Record,
+    text: &str,
+    multiplied: Multiplied,
+    own: Option<&Units>,
+) -> Result<Vec<[f64; 2]>, Misread> {
     let peer = record.file.to_ascii_lowercase().ends_with(".at2");
     let (mut points, read) = if peer {
         if record.columns.is_some() {
             let repair = "remove it: its times follow from DT";
-            return Err(refuse(Misread::new("columns", "columns", "none of an .AT2", repair)));
+            return Err(Misread::new("columns", "columns", "none of an .AT2", repair));
         }
-        at2::read(text).map(|points| (points, Some(["s".to_string(), "g".to_string()])))
+        record.units.as_ref().map_or(Ok(()), measures::check_peer)?;
+        (at2::read(text)?, Some(["s".to_string(), "g".to_string()]))
     } else {
-        csv::read(text, record.columns.as_ref()).map(|points| (points, None))
-    }
-    .map_err(refuse)?;
+        (csv::read(text, record.columns.as_ref())?, None)
+    };
     if points.len() > MOST_POINTS {
         let bound = format!("at most {MOST_POINTS} points");
-        return Err(refuse(Misread::new(
-            "file",
-            format!("{} points", points.len()),
-            bound,
-            "take every second one",
-        )));
+        return Err(Misread::new("file", format!("{} points", points.len()), bound, "take every second one"));
     }
-    let named = record.units.clone().or(read);
-    if let Some([time, number]) = &named {
-        for [t, x] in &mut points {
-            *t = converted(*t, time, own).map_err(refuse)?;
-            *x = converted(*x, number, own).map_err(refuse)?;
-        }
+    if let Some(units) = record.units.clone().or(read) {
+        measures::convert(&mut points, &units, multiplied, own)?;
     }
     points.iter_mut().for_each(|[_, x]| *x *= record.factor);
-    if record.baseline == Baseline::Linear {
-        baseline::straighten(&mut points);
-    }
+    let straightened = record.baseline == Baseline::Linear;
     // What is accelerated is so no longer than the record.
-    if let [.., [before, _], [end, last]] = points[..]
-        && peer
-        && last != 0.0
-    {
-        points.push([end + (end - before), 0.0]);
+    if peer || straightened {
+        baseline::close(&mut points);
+    }
+    if straightened && baseline::straighten(&mut points).is_none() {
+        let value = format!("\"linear\" of {} points", points.len());
+        let bound = format!(
+            "of {} or more, the zero at its end among them, and some time after zero",
+            baseline::FEWEST
+        );
+        return Err(Misread::new("baseline", value, bound, "remove it, or give the whole record"));
     }
     Ok(points)
-}
-
-/// A number in a unit, in the units of the scene, to the last bit.
-fn converted(number: f64, unit: &str, own: Option<&Units>) -> Result<f64, Misread> {
-    if unit == "-" {
-        return Ok(number);
-    }
-    let Some(own) = own.filter(|units| units.consistent() && units.length != Length::None) else {
-        let bound = "\"-\": the scene has no units";
-        let repair = "add units = [\"-\", \"-\"] to the record, whose numbers then count as they are";
-        return Err(Misread::new("units", format!("\"{unit}\""), bound, repair));
-    };
-    let found = match unit {
-        "g" => amount::in_units_of(STANDARD * number, GRAVITY, own),
-        _ => amount::in_units_of(number, unit, own),
-    };
-    found.map(|(number, _)| number).ok_or_else(|| {
-        let bound = "a unit that is known, \"g\" for the acceleration of gravity, or \"-\"";
-        let repair = "write a unit such as \"s\", \"m/s^2\", \"cm/s^2\", \"kN\"";
-        Misread::new("units", format!("\"{unit}\""), bound, repair)
-    })
 }

@@ -4,21 +4,32 @@ use std::f64::consts::TAU;
 
 use crate::judge::{Case, Headline, Run, Variant};
 use crate::support::fluids::KICKS;
+use crate::support::misses::{Miss, between};
 use crate::{JudgeError, Metric};
 
 const SCENE: &str = include_str!("../../../../scenes/wave-flume.toml");
-const HEIGHT: &str = "height of the waves";
+const INCIDENT: &str = "height of the waves that the wall sends";
+const BACK: &str = "height of what the beach sends back";
 const PERIOD: &str = "period";
 const LENGTH: &str = "length";
-/// Height asked of the wall \[m\], period \[s\], depth \[m\], gravity \[m/s²\], distance of the gauges \[m\].
+/// Height asked of the wall \[m\], period \[s\], depth \[m\], gravity \[m/s²\], places of the gauges \[m\].
 const ASKED: f64 = 0.04;
 const TIME: f64 = 1.0;
 const DEPTH: f64 = 0.3;
 const GRAVITY: f64 = 9.81;
-const APART: f64 = 0.4;
-/// From when on waves are regular at both gauges, and how many periods are measured.
-const FROM: f64 = 3.98;
-const PERIODS: f64 = 3.0;
+const GAUGES: [f64; 2] = [1.0, 1.4];
+/// From when on waves are regular, and how many periods are measured: the wall grows for two periods, groups take 1.6 s to the farther gauge, 4.3 s more to the end
+/// of the flume. Over single periods heights swing by 1 % and more, which leaves .3 % of four.
+const FROM: f64 = 6.0;
+const PERIODS: f64 = 4.0;
+const DURATION: &str = "10.0";
+/// What the piston is known to miss: −3.1 % of 40 mm.
+const MISSED: Miss = Miss {
+    measured: 0.03875,
+    margin: 0.0002,
+    cause: "not isolated: neither the diffusion of density nor the artificial viscosity nor the spacing changes it by more than .6 % (docs/fluids.md); a half \
+            per cent is the margin, twice what other four periods of the run give",
+};
 
 /// The flume, linear theory, and how far the two may differ.
 pub fn case() -> Case {
@@ -26,22 +37,29 @@ pub fn case() -> Case {
         name: "wave-flume",
         title: "Regular waves in a flume",
         about: "A piston or a flap makes waves by the stroke of the transfer function of the first order; they run past two gauges and out on a beach. Held against linear \
-                theory: the height asked for, the period, and the length by the phase between the gauges.",
+                theory, once they are regular: the height that is sent, separated from what comes back, the period, and the length by the phase between the gauges.",
         citation: "Dean and Dalrymple, Water Wave Mechanics for Engineers and Scientists: dispersion and wave makers of the first order",
         variants: vec![
-            Variant::scene(KICKS, SCENE, "piston, 2 spacings high").unsettled().judged(|run, _| judged(run)),
+            Variant::scene(KICKS, SCENE, "piston, 2 spacings high")
+                .set("analysis.explicit.transient.duration", DURATION)
+                .unsettled()
+                .judged(|run, _| judged(run, Some(MISSED))),
             Variant::scene(KICKS, SCENE, "flap, 2 spacings high")
                 .set(
                     "bodies.piston.walls.motion.waves",
                     "{ height = 0.04, period = 1.0, depth = 0.3, hinge = [0.0, 0.0, 0.0] }",
                 )
+                .set("analysis.explicit.transient.duration", DURATION)
                 .unsettled()
-                .judged(|run, _| judged(run)),
+                .judged(|run, _| judged(run, None)),
         ],
-        headline: Some(Headline::new(HEIGHT, 0.1)),
+        headline: Some(Headline::new(INCIDENT, 0.1)),
         ..Case::default()
     }
 }
+
+/// A number of the complex plane, by its parts.
+type Complex = [f64; 2];
 
 /// Length of waves by linear theory, `ω² = g k tanh kd`, by halving \[m\].
 fn length() -> f64 {
@@ -58,8 +76,8 @@ fn length() -> f64 {
     TAU * DEPTH / low
 }
 
-/// The first harmonic of a gauge over whole periods: height from trough to crest, and phase.
-fn harmonic(time: &[f64], level: &[f64]) -> Option<[f64; 2]> {
+/// The first harmonic of a gauge over whole periods, `2/n Σ 2 h exp(iωt)`: its size is the height from trough to crest, its phase how late the wave is.
+fn harmonic(time: &[f64], level: &[f64]) -> Option<Complex> {
     let inside = |t: f64| t > FROM - 1e-9 && t < FROM + PERIODS * TIME - 1e-9;
     let kept: Vec<[f64; 2]> =
         time.iter().zip(level).filter(|(t, _)| inside(**t)).map(|(t, h)| [*t, *h]).collect();
@@ -67,16 +85,31 @@ fn harmonic(time: &[f64], level: &[f64]) -> Option<[f64; 2]> {
         return None;
     }
     let part = |of: &dyn Fn(f64) -> f64| {
-        2.0 / kept.len() as f64 * kept.iter().map(|[t, h]| h * of(TAU * t / TIME)).sum::<f64>()
+        4.0 / kept.len() as f64 * kept.iter().map(|[t, h]| h * of(TAU * t / TIME)).sum::<f64>()
     };
-    let [cosine, sine] = [part(&libm::cos), part(&libm::sin)];
-    Some([2.0 * libm::hypot(cosine, sine), libm::atan2(sine, cosine)])
+    Some([part(&libm::cos), part(&libm::sin)])
+}
+
+/// Heights of the waves that go along x and of those that come back, `h = a exp(ikx) + b exp(−ikx)` at both gauges.
+fn separated(gauges: [Complex; 2]) -> [f64; 2] {
+    let number = TAU / length();
+    let turned = |[x, y]: Complex, angle: f64| {
+        let (sin, cos) = libm::sincos(angle);
+        [x * cos - y * sin, x * sin + y * cos]
+    };
+    let [near, far] = GAUGES.map(|x| number * x);
+    let height = |sign: f64| {
+        // a = (h₀ exp(−ikx₁) − h₁ exp(−ikx₀))/(2i sin k(x₀ − x₁)), b with the other sign of k.
+        let ([a, b], [c, d]) = (turned(gauges[0], -sign * far), turned(gauges[1], -sign * near));
+        libm::hypot(a - c, b - d) / (2.0 * libm::sin(far - near).abs())
+    };
+    [height(1.0), height(-1.0)]
 }
 
 /// Mean time between crossings of the mean upwards.
 fn period(time: &[f64], level: &[f64]) -> Option<f64> {
     let kept: Vec<[f64; 2]> =
-        time.iter().zip(level).filter(|(t, _)| **t > FROM - 1.0).map(|(t, h)| [*t, *h]).collect();
+        time.iter().zip(level).filter(|(t, _)| **t > FROM - 1e-9).map(|(t, h)| [*t, *h]).collect();
     let mean = kept.iter().map(|[_, h]| h).sum::<f64>() / kept.len() as f64;
     let up = |pair: &[[f64; 2]]| {
         let [[t, x], [u, y]] = [pair[0], pair[1]];
@@ -87,20 +120,29 @@ fn period(time: &[f64], level: &[f64]) -> Option<f64> {
     (all.len() > 1).then(|| (last - first) / (all.len() - 1) as f64)
 }
 
-fn judged(run: &Run) -> Result<Vec<Metric>, JudgeError> {
+fn judged(run: &Run, missed: Option<Miss>) -> Result<Vec<Metric>, JudgeError> {
     let (time, far, near) = (run.column("time")?, run.column("h")?, run.column("h_before")?);
-    let [far_wave, near_wave] = [&far, &near].map(|level| harmonic(&time, level).filter(|_| run.done()));
-    let behind = far_wave.zip(near_wave).map(|([_, late], [_, early])| (late - early).rem_euclid(TAU));
-    let found = behind.map(|behind| TAU * APART / behind);
-    let lost =
-        "friction and the diffusion of density take a hundredth a second; waves of two spacings; asked 3 %";
-    Ok(vec![
-        Metric::compared(HEIGHT, far_wave.map(|[height, _]| height), "m", ASKED).within(0.03 * ASKED, lost),
+    let [near_wave, far_wave] = [&near, &far].map(|level| harmonic(&time, level).filter(|_| run.done()));
+    let waves = near_wave.zip(far_wave).map(|(near, far)| separated([near, far]));
+    let (sent, back) = (waves.map(|waves| waves[0]), waves.map(|waves| waves[1]));
+    let bounds = [0.97 * ASKED, 1.03 * ASKED];
+    let mut metrics = between(INCIDENT, sent, "m", bounds, "3 %, by linear theory from two gauges", missed);
+    metrics.push(
+        Metric::compared(BACK, back, "m", 0.0)
+            .within(0.02 * ASKED, "a fiftieth, as the beach is made; second harmonics and noise swing in it"),
+    );
+    metrics.push(
         Metric::compared(PERIOD, period(&time, &far).filter(|_| run.done()), "s", TIME)
             .within(0.01, "that of the wall; crossings between particles; asked 1 %"),
-        Metric::compared(LENGTH, found, "m", length())
-            .within(0.03 * length(), "by the phase over .4 m, to which what is left of second waves adds"),
-    ])
+    );
+    let phase = |[x, y]: Complex| libm::atan2(y, x);
+    let behind = near_wave.zip(far_wave).map(|(near, far)| (phase(far) - phase(near)).rem_euclid(TAU));
+    let found = behind.map(|behind| TAU * (GAUGES[1] - GAUGES[0]) / behind);
+    metrics.push(Metric::compared(LENGTH, found, "m", length()).within(
+        0.03 * length(),
+        "by the phase between the gauges, to which what comes back adds 1 % for each",
+    ));
+    Ok(metrics)
 }
 
 #[cfg(test)]
@@ -108,15 +150,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_wave_has_its_height_period_and_length() {
-        let time: Vec<f64> = (0..=350).map(|i| 0.02 * f64::from(i)).collect();
+    fn waves_to_and_fro_have_their_heights_and_period() {
+        let time: Vec<f64> = (0..=500).map(|i| 0.02 * f64::from(i)).collect();
         let number = TAU / length();
         let wave = |x: f64| -> Vec<f64> {
-            time.iter().map(|t| 0.3 + 0.02 * libm::cos(TAU * t / TIME - number * x)).collect()
+            let (there, back) = (number * x, 0.7 - number * x);
+            let level = |t: &f64| {
+                0.3 + 0.02 * libm::cos(TAU * t / TIME - there) + 0.005 * libm::cos(TAU * t / TIME - back)
+            };
+            time.iter().map(level).collect()
         };
-        let [near, far] = [1.0, 1.4].map(|x| harmonic(&time, &wave(x)).unwrap());
-        assert!((far[0] - 0.04).abs() < 1e-9);
-        assert!((TAU * APART / (far[1] - near[1]).rem_euclid(TAU) / length() - 1.0).abs() < 1e-9);
+        let at = GAUGES.map(|x| harmonic(&time, &wave(x)).unwrap());
+        let [sent, back] = separated(at);
+        assert!((sent - 0.04).abs() < 1e-9 && (back - 0.01).abs() < 1e-9, "{sent} {back}");
         assert!((period(&time, &wave(1.4)).unwrap() - TIME).abs() < 1e-6);
         // The root of ω² = g k tanh kh by Newton's method.
         assert!((length() - 1.372949).abs() < 1e-6, "{}", length());

@@ -44,21 +44,28 @@ pub fn case() -> Case {
     }
 }
 
-/// The record of the scene \[m/s²\], with a straight line taken off by which the ground ends at rest where it began.
+/// The record of the scene \[m/s²\], whose last number is zero, with a straight line taken off all others by which the ground is at rest where it began at that
+/// zero.
+///
+/// Of a number at the time t, the hat about it moves the ground at the end T to a velocity of h and a way of h (T − t); the half hat at time zero to h/2 and
+/// h T/2 − h²/6.
 fn record() -> Vec<f64> {
     let numbers =
         SCENE.split_once("SEC\n").and_then(|(_, rest)| rest.split_once("\"\"\"")).map_or("", |(own, _)| own);
-    let a: Vec<f64> =
+    let mut a: Vec<f64> =
         numbers.split_whitespace().filter_map(|word| word.parse::<f64>().ok()).map(|x| GRAVITY * x).collect();
-    let [mut v, mut u] = [0.0; 2];
-    for pair in a.windows(2) {
-        u += STEP * (v + STEP * (2.0 * pair[0] + pair[1]) / 6.0);
-        v += 0.5 * STEP * (pair[0] + pair[1]);
-    }
-    let whole = STEP * (a.len() - 1) as f64;
-    let (v, u) = (v / whole, u / (whole * whole));
-    let line = |i: usize| 6.0 * u - 2.0 * v + (6.0 * v - 12.0 * u) / whole * STEP * i as f64;
-    a.iter().enumerate().map(|(i, x)| x - line(i)).collect()
+    a.pop();
+    let end = STEP * a.len() as f64;
+    let sums = |of: &dyn Fn(usize) -> f64| {
+        let hats = (1..a.len()).map(|i| [of(i), of(i) * (end - STEP * i as f64)]);
+        let first = [0.5 * of(0), of(0) * (0.5 * end - STEP / 6.0)];
+        hats.fold(first, |[v, u], [dv, du]| [v + dv, u + du]).map(|sum| STEP * sum)
+    };
+    let [[v, u], [v0, u0], [v1, u1]] = [sums(&|i| a[i]), sums(&|_| 1.0), sums(&|i| STEP * i as f64)];
+    let determinant = v0 * u1 - v1 * u0;
+    let line = [(v * u1 - u * v1) / determinant, (v0 * u - u0 * v) / determinant];
+    let straight = a.iter().enumerate().map(|(i, x)| x - line[0] - line[1] * STEP * i as f64);
+    straight.chain([0.0]).collect()
 }
 
 /// Ways at so many points of time, from rest.

@@ -7,6 +7,7 @@ use crate::scene::body_in_scene::gravity_on;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::fluid::FluidScene;
 use crate::scene::fluid::formulation::FluidMethod;
+use crate::scene::fluid::geometry::Extent;
 use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::scope::Scope;
 use crate::scene::walls::WallMotion;
@@ -14,6 +15,69 @@ use crate::scene::waves::{Beach, WallWaves};
 
 /// Cosine of the angle to gravity beyond which a direction is not horizontal: rounding.
 const LEVEL: f64 = 1e-9;
+
+/// Spacings within which a depth and a hinge agree with the water at the start: floors have sills and lattices their rounding.
+const NEAR: f64 = 2.0;
+
+/// Where the water is at the start along gravity, heights \[L\].
+struct Pool {
+    /// The axis of gravity, and the sign of what is above.
+    axis: usize,
+    up: f64,
+    surface: f64,
+    /// The lower face of each block.
+    floors: Vec<f64>,
+    near: f64,
+}
+
+impl Pool {
+    /// None under gravity along no axis: blocks then have no level surface.
+    fn of(fluid: &FluidScene, gravity: &Vec3) -> Option<Self> {
+        let axis = (0..3).find(|&axis| gravity[axis].abs() >= (1.0 - LEVEL) * gravity.norm())?;
+        let up = -gravity[axis].signum();
+        let ends = fluid.geometry.extents().into_iter().map(|extent| {
+            let [a, b] = [extent.least[axis], extent.least[axis] + extent.lengths[axis]].map(|x| up * x);
+            [a.min(b), a.max(b)]
+        });
+        let ends: Vec<[f64; 2]> = ends.collect();
+        let surface = ends.iter().fold(f64::NEG_INFINITY, |most, end| most.max(end[1]));
+        let floors = ends.into_iter().map(|end| end[0]).collect();
+        Some(Self { axis, up, surface, floors, near: NEAR * fluid.geometry.spacing() })
+    }
+
+    /// The floor that is nearest to a height, unless it is near enough.
+    fn missed(&self, height: f64) -> Option<f64> {
+        let off = |floor: &&f64| (*floor - height).abs();
+        self.floors
+            .iter()
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
+            .copied()
+            .filter(|floor| off(&floor) > self.near)
+    }
+
+    /// Refuses another depth than that of the water.
+    fn check_depth(&self, s: &Scope<'_>, path: &str, depth: f64) -> Verdict {
+        let Some(floor) = self.missed(self.surface - depth) else { return Ok(()) };
+        let own = self.surface - floor;
+        let bound = format!("within two spacings of the depth of the water at the start, {own:.6}");
+        Err(s.value(path, depth, &bound, &format!("make it {own:.6}, or fill the flume as deep")))
+    }
+
+    /// Refuses a hinge that is not at the floor.
+    fn check_hinge(&self, s: &Scope<'_>, hinge: &[f64; 3]) -> Verdict {
+        let Some(floor) = self.missed(self.up * hinge[self.axis]) else { return Ok(()) };
+        let (path, floor) = (format!("motion.waves.hinge[{}]", self.axis), self.up * floor);
+        let bound = format!(
+            "within two spacings of the floor of the water, {floor:.6}: the stroke is that of a flap from the floor"
+        );
+        Err(s.value(
+            &path,
+            hinge[self.axis],
+            &bound,
+            &format!("make it {floor:.6}, or leave it out for a piston"),
+        ))
+    }
+}
 
 /// Refuses waves that no wall makes, and beaches on which none run out.
 pub(in crate::scene::check) fn check_waves(scene: &Scene) -> Verdict {
@@ -33,7 +97,7 @@ pub(in crate::scene::check) fn check_waves(scene: &Scene) -> Verdict {
             )));
         }
         check_direction(s, "motion.waves.along", waves.along, &gravity, fluid)?;
-        check_made(s, waves, &gravity)?;
+        check_made(s, waves, &gravity, Pool::of(fluid, &gravity).as_ref())?;
     }
     let Some(beach) = &fluid.beach else { return Ok(()) };
     check_beach(&scene.source.body(name, "fluid"), fluid, beach, &gravity)
@@ -62,7 +126,7 @@ fn check_direction(
     Ok(())
 }
 
-fn check_made(s: &Scope<'_>, waves: &WallWaves, gravity: &Vec3) -> Verdict {
+fn check_made(s: &Scope<'_>, waves: &WallWaves, gravity: &Vec3, pool: Option<&Pool>) -> Verdict {
     let of = Waves { period: waves.period.get(), depth: waves.depth.get(), gravity: gravity.norm() };
     if waves.height.get() > of.breaking_height() {
         let bound = format!(
@@ -78,7 +142,10 @@ fn check_made(s: &Scope<'_>, waves: &WallWaves, gravity: &Vec3) -> Verdict {
             "lower it, or give a longer period",
         ));
     }
-    waves.hinge.map_or(Ok(()), |hinge| s.sized_all("motion.waves.hinge", &hinge))
+    pool.map_or(Ok(()), |pool| pool.check_depth(s, "motion.waves.depth", waves.depth.get()))?;
+    let Some(hinge) = waves.hinge else { return Ok(()) };
+    s.sized_all("motion.waves.hinge", &hinge)?;
+    pool.map_or(Ok(()), |pool| pool.check_hinge(s, &hinge))
 }
 
 fn check_beach(s: &Scope<'_>, fluid: &FluidScene, beach: &Beach, gravity: &Vec3) -> Verdict {
@@ -93,6 +160,22 @@ fn check_beach(s: &Scope<'_>, fluid: &FluidScene, beach: &Beach, gravity: &Vec3)
         let bound =
             format!("at least {:.4}, the length of the waves: shorter ones send them back", of.length());
         return Err(s.value("beach.length", beach.length, &bound, "make the tank and its beach longer"));
+    }
+    Pool::of(fluid, gravity).map_or(Ok(()), |pool| pool.check_depth(s, "beach.depth", beach.depth.get()))?;
+    let along = Vec3::from(beach.along).normalize();
+    let end = |extent: Extent| {
+        let far = |axis: usize| {
+            let [near, far] = [extent.least[axis], extent.least[axis] + extent.lengths[axis]];
+            (along[axis] * near).max(along[axis] * far)
+        };
+        (0..3).map(far).sum::<f64>()
+    };
+    let end = fluid.geometry.extents().into_iter().map(end).fold(f64::NEG_INFINITY, f64::max);
+    let beyond = Vec3::from(beach.from).dot(&along) - end;
+    if beyond > -0.5 * fluid.geometry.spacing() {
+        let bound = "before the end of the water along the beach: no particle lies in it";
+        let repair = "let it begin its length before the end of the water, or turn `along` round";
+        return Err(s.value("beach.from", format!("{:?}", beach.from), bound, repair));
     }
     Ok(())
 }
