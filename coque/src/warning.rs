@@ -84,6 +84,8 @@ pub enum WarningKind {
     LoadedFace,
     /// A solid of bonds that is touched through a skin that lacks bonds.
     SoftSkin,
+    /// Parts of a filled surface are too thin for nodes of their own.
+    ThinFins,
     /// A fluid that was compressed more than its method bears.
     Compressed,
     /// A speed of sound too low for the speed that the fluid reached.
@@ -193,6 +195,7 @@ impl WarningKind {
             Self::ThinLayer => "thin-layer",
             Self::LoadedFace => "loaded-face",
             Self::SoftSkin => "soft-skin",
+            Self::ThinFins => "thin-fins",
             Self::Compressed => "compressed",
             Self::SlowSound => "slow-sound",
             Self::LateFront => "late-front",
@@ -292,6 +295,7 @@ mod tests {
             WarningKind::ThinLayer,
             WarningKind::LoadedFace,
             WarningKind::SoftSkin,
+            WarningKind::ThinFins,
             WarningKind::Compressed,
             WarningKind::SlowSound,
             WarningKind::LateFront,

@@ -5,10 +5,10 @@
 use std::fs;
 use std::path::Path;
 
-use mesh_io::surface::{Format, parse, report};
+use mesh_io::surface::{Format, MeshError, Surface, parse, parse_body, report};
 use proptest::prelude::*;
 
-const FILES: [&str; 11] = [
+const FILES: [&str; 12] = [
     "plate-22.msh",
     "plate-41.msh",
     "plate.inp",
@@ -20,6 +20,7 @@ const FILES: [&str; 11] = [
     "plate-ascii.vtu",
     "plate-binary.vtu",
     "plate.csv",
+    "cube-22.msh",
 ];
 
 /// Words that break things.
@@ -103,7 +104,18 @@ fn replace_word(bytes: &[u8], at: usize, by: &str) -> Vec<u8> {
 }
 
 fn check(file: &str, format: Format, bytes: &[u8]) -> Result<(), TestCaseError> {
-    match parse(file, format, bytes) {
+    for read in [parse, parse_body] {
+        sound_or_refused(file, bytes, read(file, format, bytes))?;
+    }
+    Ok(())
+}
+
+fn sound_or_refused(
+    file: &str,
+    bytes: &[u8],
+    found: Result<Surface, MeshError>,
+) -> Result<(), TestCaseError> {
+    match found {
         Ok(surface) => {
             // Nothing is larger than what was read.
             prop_assert!(surface.positions.len() <= bytes.len() && surface.faces.len() <= bytes.len());

@@ -88,7 +88,9 @@ fn a_hollow_sphere_widens_as_lame_says() {
     let surface = ClosedSurface::new(vertices, triangles).unwrap();
     let pressure = 1e-6;
     let mut off = Vec::new();
-    for (spacing, horizon) in [(0.125, 1.5), (0.125, 2.015), (0.125, 3.015), (0.0909, 2.015)] {
+    let measured =
+        [(0.125, 1.5, 0.102), (0.125, 2.015, 0.179), (0.125, 3.015, 0.421), (0.0909, 2.015, 0.127)];
+    for (spacing, horizon, too_far) in measured {
         let filled = surface.filled(spacing).unwrap();
         let mut system = pressed(&filled, cavity, pressure, Law::StateBased, horizon);
         let answer = linear_response(&mut system, 0.0).unwrap();
@@ -99,8 +101,9 @@ fn a_hollow_sphere_widens_as_lame_says() {
         // Asked 2 %; measured 1.7, .9, .6 and .6 % too stiff.
         assert!((outer - 1.0).abs() < 0.02, "{outer}");
         off.push((outer - 1.0).abs());
-        // The loaded face lacks bonds and moves too far, the more the wider the horizon: measured 10 to 42 % (docs/peridynamics.md).
-        assert!((1.0..1.5).contains(&inner), "{inner}");
+        // The loaded face lacks bonds and moves too far, the more the wider the horizon: as it was measured, to a tenth of it
+        // (docs/peridynamics.md).
+        assert!((inner - 1.0 - too_far).abs() < 0.1 * too_far, "{inner}");
     }
     assert!(off[3] < off[1], "it falls with the spacing: {off:?}");
 }

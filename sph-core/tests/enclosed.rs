@@ -290,3 +290,19 @@ fn surfaces_that_enclose_no_body_are_refused() {
         assert!(matches!(thin.filled(spacing).unwrap_err(), SurfaceFault::Cells { .. }), "{spacing}");
     }
 }
+
+/// A fin thinner than half a spacing is borne by nodes of the body that it stands on: what lies beyond the cells beside them is told.
+#[test]
+fn fins_that_are_too_thin_for_nodes_are_told() {
+    let body = || cuboid(Vec3::zeros(), Vec3::repeat(4.0));
+    assert_eq!(filled(&body(), 1.0).away, None);
+    let mut finned = body();
+    // Three tenths of a cell thick, one and two cells long: the second cell is away.
+    finned.add(cuboid(Vec3::new(4.0, 1.0, 1.35), Vec3::new(5.0, 3.0, 1.65)));
+    assert_eq!(filled(&finned, 1.0).away, None);
+    let mut finned = body();
+    finned.add(cuboid(Vec3::new(4.0, 1.0, 1.35), Vec3::new(6.0, 3.0, 1.65)));
+    let (part, place) = filled(&finned, 1.0).away.unwrap();
+    assert_relative_eq!(part, 0.6 / (64.0 + 1.2), max_relative = 1e-12);
+    assert_eq!(place, Vec3::new(5.5, 1.5, 1.5));
+}

@@ -29,7 +29,7 @@ mod coupled;
 mod field_source;
 mod figures;
 mod fluid;
-mod from_file;
+pub(crate) mod from_file;
 mod galerkin;
 mod glue_now;
 mod imperfect;

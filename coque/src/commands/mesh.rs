@@ -10,12 +10,16 @@ use super::stderr::{Refused, print};
 pub struct Mesh {
     /// The file: .msh (Gmsh 2.2, 4.1 ASCII), .inp (Abaqus), .stl, .obj, .ply, .vtu, or .csv (points).
     file: PathBuf,
+    /// The surface of a body: of tetrahedra what bounds them; refused unless it is closed and looks outwards.
+    #[arg(long)]
+    body: bool,
 }
 
 pub const HELP: &str = "\
 Examples:
   coque mesh panel.msh
   coque mesh hull.inp
+  coque mesh --body part.msh    # for geometry.filled of a solid, and for what floats
 
 In a scene, beside it:
   [geometry.mesh]
@@ -46,6 +50,9 @@ Exit codes: 0 sound, 2 refused.";
 
 /// Reads, checks, prints; the error is ready to print.
 pub fn carry_out(mesh: &Mesh) -> Result<(), Refused> {
-    let text = crate::mesh::read(&mesh.file).and_then(|surface| crate::mesh::report(&surface));
+    let text = match mesh.body {
+        true => crate::mesh::read_body(&mesh.file).and_then(|surface| crate::mesh::report_body(&surface)),
+        false => crate::mesh::read(&mesh.file).and_then(|surface| crate::mesh::report(&surface)),
+    };
     print(&text.map_err(|error| format!("{error}\n"))?)
 }

@@ -38,6 +38,17 @@ impl Obj {
         Self { vertices: (0..8).map(corner).collect(), groups: groups.collect() }
     }
 
+    /// With another one beside it.
+    pub fn with(mut self, other: &Self) -> Self {
+        let first = self.vertices.len();
+        self.vertices.extend(&other.vertices);
+        for (name, faces) in &other.groups {
+            let faces = faces.iter().map(|face| face.iter().map(|k| k + first).collect());
+            self.groups.push((format!("other-{name}"), faces.collect()));
+        }
+        self
+    }
+
     pub fn mapped(mut self, place: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
         self.vertices.iter_mut().for_each(|x| *x = place(*x));
         self

@@ -10,6 +10,7 @@ use crate::common::fluids::{CUBE, DAM, GATE, ROLLING, SHELL_GATE};
 use crate::common::sittings::{
     Pairs, StopAfter, folder, go_on, pairs, same, sit, start, stopped_again_and_again,
 };
+use crate::common::surfaces::Obj;
 use crate::common::{self, text};
 use coque::{CHECKPOINT, Checkpoint, Ended, Origin, RunOptions, SCENE_COPY, Scene, Silent};
 
@@ -50,6 +51,25 @@ fn runs_with_rigid_sets_go_on_to_the_same_bits() {
     let march = ("analysis", "{ explicit = { transient = { duration = 5e-3, record_every = 5e-4 } } }");
     stopped_again_and_again("turned-body", &strip, &[rigid], 2);
     stopped_again_and_again("moved-body", &strip, &[rigid, march, ("supports", hinged)], 3);
+}
+
+/// A solid that fills a surface from a file, one end turned, a pressure on a group of its faces.
+#[test]
+fn runs_of_a_filled_solid_go_on_to_the_same_bits() {
+    let file = Obj::cuboid([0.3, -0.7, 1.1], [1.53, -0.1, 1.7]).write("resumed");
+    let bar = format!(
+        "title = \"Bar\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\n\
+         bodies.bar.solid.geometry.filled = {{ file = {file:?}, spacing = 0.1 }}\n\
+         bodies.bar.solid.material.elastic = {{ young = 1000.0, poisson = 0.3, density = 2.0 }}\n\
+         bodies.bar.solid.formulation.state-based.horizon = 2.015\n\
+         analysis.explicit.transient = {{ duration = 0.1, record_every = 0.01 }}\n\
+         supports = [{{ on = \"x0\", turned = {{ axis = [1, 0, 0], point = [0, -0.4, 1.4], by = 5 }}, amplitude = {{ smooth = 0.1 }} }}]\n\
+         loads = [{{ on = \"side1\", pressure = {{ value = 2 }} }}]\n\
+         curve = [{{ name = \"M\", of = \"reaction-moment\", on = \"x0\", direction = [1, 0, 0] }}]"
+    );
+    stopped_again_and_again("filled", &bar, &[], 3);
+    let by = |threads| Scene::parse(&bar, "filled").unwrap().build(threads).unwrap().run(&mut Silent).curve;
+    assert_eq!(by(1), by(2));
 }
 
 /// Reserve factors, stresses of plies, forces through a cut: they follow from the state alone.

@@ -71,7 +71,7 @@ pub(in crate::bodies) fn solid_made(
         solid.wet().map_err(|error| solid_refusal(scene, wanted, &error))?;
     }
     let mut description = describe(scene, wanted, &solid);
-    let warnings = warnings_of(scene, wanted, &solid, (&places.lattice, &sets));
+    let warnings = warnings_of(scene, wanted, &solid, (&places, &sets));
     let identity = places.skin.as_ref().map_or_else(Identity::default, |skin| skin.identity.clone());
     description.modelled.extend(places.skin.map(|skin| skin.described));
     let judge = None;

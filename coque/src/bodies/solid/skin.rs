@@ -1,12 +1,11 @@
 //! The surface of a solid whose nodes fill it: which parts of it have names, and what nodes bear of them.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
-use mesh_io::surface::Surface;
 use sph_core::{ClosedSurface, Facet, Filled, SurfaceFault, Vec3, by_node};
 
 use crate::bodies::Identity;
-use crate::bodies::from_file::surface;
+use crate::bodies::from_file::{surface, triangles};
 use crate::bodies::refusal::body_error;
 use crate::scene::FilledSurface;
 use crate::scene::body_in_scene::BodyInScene;
@@ -23,6 +22,8 @@ pub(in crate::bodies) struct Skin {
     facets: Vec<Facet>,
     /// Which triangles belong to each part that has a name: groups of the file, and what lies in the planes of the box round it.
     parts: BTreeMap<String, Vec<bool>>,
+    /// Part of the volume that nodes farther off bear, with a place of it.
+    pub away: Option<(f64, Vec3)>,
     /// What it is, in words.
     pub described: String,
     pub identity: Identity,
@@ -64,35 +65,8 @@ pub(super) fn filled(scene: &BodyInScene<'_>, wanted: &FilledSurface) -> Result<
         parts.insert((*name).into(), flat.clone());
     }
     parts.insert(OF_FILLED[7].into(), vec![true; faces.len()]);
-    let skin = Skin { facets: filled.facets.clone(), parts, described, identity };
+    let skin = Skin { facets: filled.facets.clone(), parts, away: filled.away, described, identity };
     Ok((filled, skin))
-}
-
-/// Triangles of the faces, each with the number of its face; sheets that fold are one surface again, and nodes on one place one node.
-fn triangles(surface: &Surface) -> (Vec<[u32; 3]>, Vec<u32>) {
-    let mut first = HashMap::new();
-    // Adding zero makes −0 and 0 one.
-    let bits = |x: &Vec3| [x.x, x.y, x.z].map(|c| (c + 0.0).to_bits());
-    let place: Vec<u32> =
-        (0..).zip(&surface.positions).map(|(node, x)| *first.entry(bits(x)).or_insert(node)).collect();
-    let at = |node: u32| surface.positions[node as usize];
-    let (mut triangles, mut faces) = (Vec::new(), Vec::new());
-    for (number, face) in (0..).zip(&surface.faces) {
-        let [a, b, c, d] = face.corners.map(|node| place.get(node as usize).copied().unwrap_or(node));
-        if face.count == 3 {
-            triangles.push([a, b, c]);
-            faces.push(number);
-            continue;
-        }
-        // Along the diagonal whose halves are both on the side of the whole, the more even ones.
-        let normal = (at(c) - at(a)).cross(&(at(d) - at(b)));
-        let half = |[a, b, c]: [u32; 3]| (at(b) - at(a)).cross(&(at(c) - at(a))).dot(&normal);
-        let ways = [[[a, b, c], [a, c, d]], [[b, c, d], [b, d, a]]];
-        let [one, other] = ways.map(|halves| half(halves[0]).min(half(halves[1])));
-        triangles.extend(if other > one * (1.0 + 1e-9) { ways[1] } else { ways[0] });
-        faces.extend([number; 2]);
-    }
-    (triangles, faces)
 }
 
 fn refused(scene: &BodyInScene<'_>, fault: &SurfaceFault) -> SceneError {

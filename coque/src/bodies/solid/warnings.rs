@@ -8,6 +8,8 @@ use sph_core::{BlockLattice, NodePlaces, Vec3};
 use super::bending::stiffness;
 use super::conditions::inward;
 use super::ends::excess;
+use super::places::Places;
+use super::skin::Skin;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::sets::OF_SOLIDS;
 use crate::scene::{Analysis, Correction, Load, Measured, SolidScene, Support};
@@ -17,13 +19,14 @@ use crate::warning::{Warning, WarningKind};
 type Rule = (WarningKind, fn(&Look<'_>) -> Option<String>);
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 6] = [
+const RULES: [Rule; 7] = [
     (WarningKind::OddHorizon, odd_horizon),
     (WarningKind::FlatCells, flat_cells),
     (WarningKind::FewLayers, few_layers),
     (WarningKind::ThinLayer, thin_layer),
     (WarningKind::LoadedFace, loaded_face),
     (WarningKind::SoftSkin, soft_skin),
+    (WarningKind::ThinFins, thin_fins),
 ];
 
 /// What the rules look at.
@@ -33,6 +36,7 @@ struct Look<'a> {
     solid: &'a Solid,
     lattice: &'a BlockLattice,
     sets: &'a BTreeMap<String, Vec<u32>>,
+    skin: Option<&'a Skin>,
 }
 
 /// What is doubtful about the solid of a scene.
@@ -40,9 +44,9 @@ pub(super) fn warnings_of(
     scene: &BodyInScene<'_>,
     body: &SolidScene,
     solid: &Solid,
-    (lattice, sets): (&BlockLattice, &BTreeMap<String, Vec<u32>>),
+    (places, sets): (&Places, &BTreeMap<String, Vec<u32>>),
 ) -> Vec<Warning> {
-    let look = Look { scene, body, solid, lattice, sets };
+    let look = Look { scene, body, solid, lattice: &places.lattice, sets, skin: places.skin.as_ref() };
     RULES.iter().filter_map(|(kind, rule)| Some(Warning::new(*kind, rule(&look)?))).collect()
 }
 
@@ -190,6 +194,22 @@ fn bends(look: &Look<'_>, axis: usize) -> bool {
 fn turns(look: &Look<'_>, [along, across]: [usize; 2]) -> bool {
     let mut turned = look.scene.supports.iter().filter_map(|support| support.turned);
     turned.any(|turned| self::across(turned.axis, 3 - along - across))
+}
+
+/// Part of a body that may lie in fins and tips without nodes of their own.
+const IN_FINS: f64 = 1e-3;
+
+/// What is thinner than half a spacing has no nodes of its own: its mass and its loads are on the body that it stands on, its stiffness nowhere.
+fn thin_fins(look: &Look<'_>) -> Option<String> {
+    let (part, place) = look.skin?.away.filter(|(part, _)| *part > IN_FINS)?;
+    Some(format!(
+        "{:.2} % of the volume lies in fins or tips thinner than half a spacing, as at ({:.3e}, {:.3e}, {:.3e}), and goes to nodes up to three spacings \
+         off: mass and loads are kept, the stiffness of the fin is not there; use a spacing below its thickness, or leave it out",
+        100.0 * part,
+        place.x,
+        place.y,
+        place.z
+    ))
 }
 
 /// Whether a vector has more than a tenth of its length along an axis.

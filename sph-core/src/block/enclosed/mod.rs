@@ -51,6 +51,9 @@ pub struct Filled {
     pub facets: Vec<Facet>,
     /// Which triangles lie in each plane of the box: x0, x1, y0, y1, z0, z1.
     pub flat: [Vec<bool>; 6],
+    /// Part of the volume that lies in fins and tips thinner than half a spacing and is borne by nodes farther off than the cell beside,
+    /// with a place of it.
+    pub away: Option<(f64, Vec3)>,
 }
 
 impl ClosedSurface {
@@ -116,7 +119,7 @@ impl ClosedSurface {
         });
         let cut = cut(counts, triangles);
         let place = |cells: [f64; 3]| origin + Vec3::from(cells) * spacing;
-        let Shared { nodes, borne } = share_out(&cut).map_err(|fault| fault.at(place))?;
+        let Shared { nodes, borne, away } = share_out(&cut).map_err(|fault| fault.at(place))?;
         let square = spacing * spacing;
         let normals: Vec<Vec3> =
             self.triangles.iter().map(|corners| self.area(corners).normalize()).collect();
@@ -138,7 +141,8 @@ impl ClosedSurface {
             cells: Vec::new(),
             faces: faces(&flat, &facets),
         };
-        Ok(Filled { block, bounds, facets, flat })
+        let away = away.map(|(cells, at)| (cells * square * spacing / self.volume().0, place(at)));
+        Ok(Filled { block, bounds, facets, flat, away })
     }
 
     /// Coordinates in cells of a lattice.

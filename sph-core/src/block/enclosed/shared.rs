@@ -13,6 +13,8 @@ use crate::Vec3;
 const NODE: f64 = 0.5 - 1e-9;
 /// How far a cell that is none may be from a node along each axis \[cells\]: tips of wedges and needles.
 const REACH: i64 = 3;
+/// How far the centre of a cell may be from that of the node that takes it, squared, before what it holds has moved away \[cells²\].
+const BESIDE: i64 = 3;
 /// Part of a cell below which it is empty or full but for rounding.
 const ROUNDING: f64 = 1e-12;
 /// Part of a cell that may lie inside twice, or less than not at all, by rounding.
@@ -28,6 +30,8 @@ pub(super) struct Node {
 pub(super) struct Shared {
     pub nodes: Vec<Node>,
     pub borne: Vec<(u32, usize, f64)>,
+    /// What of the volume went farther than to a cell beside its own \[cells\], and where most of one cell lay.
+    pub away: Option<(f64, Point)>,
 }
 
 /// A fault at a place in units of cells.
@@ -63,10 +67,18 @@ pub(super) fn share_out(cut: &Cut) -> Result<Shared, Misfit> {
     }
     let mut bears = vec![false; cut.inside.len()];
     cut.pieces.iter().for_each(|piece| bears[piece.cell] = true);
+    let (mut away, mut most) = (0.0, None);
     let little = |cell: usize| !is_node(cell) && (bears[cell] || cut.inside[cell][0].abs() > ROUNDING);
     for cell in (0..cut.inside.len()).filter(|&cell| little(cell)) {
         let inside = cut.inside[cell];
-        for (to, part) in nearest(cut, cell, &numbers, &steps)? {
+        let nearest = nearest(cut, cell, &numbers, &steps)?;
+        if nearest.square > BESIDE {
+            away += inside[0];
+            if most.is_none_or(|(volume, _)| inside[0] > volume) {
+                most = Some((inside[0], centre(cut, cell)));
+            }
+        }
+        for (to, part) in nearest.parts {
             let (own, sum) = &mut sums[numbers[to] as usize];
             let [from, at] = [centre(cut, cell), centre(cut, *own)];
             sum[0] += part * inside[0];
@@ -77,7 +89,7 @@ pub(super) fn share_out(cut: &Cut) -> Result<Shared, Misfit> {
     for (number, piece) in cut.pieces.iter().enumerate() {
         match numbers[piece.cell] {
             u32::MAX => {
-                let parts = nearest(cut, piece.cell, &numbers, &steps)?.into_iter();
+                let parts = nearest(cut, piece.cell, &numbers, &steps)?.parts.into_iter();
                 borne.extend(parts.map(|(to, part)| (numbers[to], number, part)));
             }
             node => borne.push((node, number, 1.0)),
@@ -90,15 +102,23 @@ pub(super) fn share_out(cut: &Cut) -> Result<Shared, Misfit> {
         }
         Node { place: [0, 1, 2].map(|k| at[k] + moments[k] / volume), volume }
     };
-    Ok(Shared { nodes: sums.into_iter().map(node).collect(), borne })
+    let away = most.map(|(_, place)| (away, place));
+    Ok(Shared { nodes: sums.into_iter().map(node).collect(), borne, away })
 }
 
 fn centre(cut: &Cut, cell: usize) -> Point {
     cut.place(cell).map(|n| n as f64 + 0.5)
 }
 
-/// The nodes that are nearest to a cell that is none, with the part of it that each takes.
-fn nearest(cut: &Cut, cell: usize, numbers: &[u32], steps: &[Step]) -> Result<Vec<(usize, f64)>, Misfit> {
+/// The nodes that are nearest to a cell that is none.
+struct Nearest {
+    /// Cells of the nodes, and the part of it that each takes.
+    parts: Vec<(usize, f64)>,
+    /// Square of the distance between the centres of the cells \[cells²\].
+    square: i64,
+}
+
+fn nearest(cut: &Cut, cell: usize, numbers: &[u32], steps: &[Step]) -> Result<Nearest, Misfit> {
     let at = cut.place(cell).map(|n| n as i64);
     let node = |step: &Step| {
         let to = [0, 1, 2].map(|k| usize::try_from(at[k] + step.by[k]).ok().filter(|&n| n < cut.counts[k]));
@@ -107,10 +127,10 @@ fn nearest(cut: &Cut, cell: usize, numbers: &[u32], steps: &[Step]) -> Result<Ve
     };
     let first = steps.iter().find(|step| node(step).is_some()).ok_or(Misfit::Thin(centre(cut, cell)))?;
     let alike = steps.iter().filter(|step| step.square == first.square);
-    let mut found: Vec<(usize, f64)> = alike.filter_map(node).map(|to| (to, cut.inside[to][0])).collect();
-    let whole: f64 = found.iter().map(|(_, inside)| inside).sum();
-    found.iter_mut().for_each(|(_, part)| *part /= whole);
-    Ok(found)
+    let mut parts: Vec<(usize, f64)> = alike.filter_map(node).map(|to| (to, cut.inside[to][0])).collect();
+    let whole: f64 = parts.iter().map(|(_, inside)| inside).sum();
+    parts.iter_mut().for_each(|(_, part)| *part /= whole);
+    Ok(Nearest { parts, square: first.square })
 }
 
 /// The way from a cell to another one, with the square of its length \[cells\].

@@ -87,7 +87,7 @@ fn run(spacing: f64) -> Result<Outcome, String> {
 
 fn each(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let off = |name| -> Result<Option<f64>, JudgeError> {
-        Ok(run.last(name)?.filter(|_| run.done()).map(|ratio| 100.0 * (ratio - 1.0).abs()))
+        Ok(run.last(name)?.filter(|_| run.done()).map(|ratio| 100.0 * (ratio - 1.0)))
     };
     let reason = "strains averaged over the horizon, families that the curved faces cut";
     Ok(vec![
