@@ -291,9 +291,9 @@ fn surfaces_that_enclose_no_body_are_refused() {
     }
 }
 
-/// A fin thinner than half a spacing is borne by nodes of the body that it stands on: what lies beyond the cells beside them is told.
+/// A fin thinner than half a spacing is borne by nodes of the body that it stands on: what lies beyond the cells beside them is counted.
 #[test]
-fn fins_that_are_too_thin_for_nodes_are_told() {
+fn fins_that_are_too_thin_for_nodes_are_counted() {
     let body = || cuboid(Vec3::zeros(), Vec3::repeat(4.0));
     assert_eq!(filled(&body(), 1.0).away, None);
     let mut finned = body();
