@@ -78,7 +78,7 @@ if TYPE_CHECKING:
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[Union[float, str]], "transient": NotRequired["Transient"]})
     FibreStrength = TypedDict("FibreStrength", {"across_compression": Union[float, str], "across_tension": Union[float, str], "along_compression": Union[float, str], "along_tension": Union[float, str], "interaction": NotRequired[Union[float, str]], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]]})
-    Fields = TypedDict("Fields", {"contact": NotRequired[bool], "every": NotRequired[Union[int, str]], "extruded": NotRequired[bool], "plies": NotRequired[bool], "points": NotRequired[bool], "principal": NotRequired[bool], "reserve": NotRequired["Criterion"], "stresses": NotRequired[bool]})
+    Fields = TypedDict("Fields", {"contact": NotRequired[bool], "every": NotRequired[Union[int, str]], "extruded": NotRequired[bool], "plies": NotRequired[bool], "points": NotRequired[bool], "principal": NotRequired[bool], "recovered": NotRequired[bool], "reserve": NotRequired["Criterion"], "stresses": NotRequired[bool]})
     FilledSurface = TypedDict("FilledSurface", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[Union[float, str]], "spacing": Union[float, str]})
     Fixed: TypeAlias = Mapping[str, Any]
     FluidBlock = TypedDict("FluidBlock", {"lengths": Sequence[Union[float, str]], "origin": NotRequired[Sequence[Union[float, str]]], "spacing": Union[float, str]})

@@ -47,6 +47,8 @@ pub struct FieldRequest<'a> {
 pub struct StressFields {
     /// Principal stresses, their directions, Tresca's stress.
     pub principal: bool,
+    /// Stresses of shells at their particles.
+    pub recovered: bool,
     /// Stresses of plies.
     pub plies: bool,
     /// Reserve factors by a criterion.
@@ -58,6 +60,7 @@ impl StressFields {
     pub(crate) fn asked(output: &Output) -> Self {
         let of = |fields: crate::scene::Fields| Self {
             principal: fields.principal,
+            recovered: fields.recovered,
             plies: fields.plies,
             reserve: fields.reserve,
         };

@@ -43,6 +43,10 @@ pub struct Fields {
     /// Principal stresses with their directions, and Tresca's stress: at both faces and the middle of homogeneous shells, at the nodes of solids.
     #[serde(default)]
     pub principal: bool,
+    /// Stresses of a shell at its particles, edges among them, from those at the middles of the cells round each: resultants, of homogeneous sections
+    /// stresses of both faces, with `principal` principal ones.
+    #[serde(default)]
+    pub recovered: bool,
     /// Stresses of each ply of a shell in the axes of its fibre, at its lower and its upper face.
     #[serde(default)]
     pub plies: bool,
@@ -60,6 +64,7 @@ impl Fields {
         stresses: false,
         contact: false,
         principal: false,
+        recovered: false,
         plies: false,
         reserve: None,
     };

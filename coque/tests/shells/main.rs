@@ -29,6 +29,7 @@ mod parts;
 mod plies;
 mod ply_stresses;
 mod preload;
+mod recovered;
 mod rigid;
 mod scattered;
 mod section_forces;

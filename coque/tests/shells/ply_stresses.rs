@@ -229,6 +229,11 @@ fn what_a_homogeneous_shell_is_asked_that_it_has_not() {
         ("a criterion of fibres", "criterion = \"von-mises\"", "criterion = \"hashin\""),
         ("no strength", ", strength = 250.0", ""),
         ("stresses of plies", "principal = true", "plies = true"),
+        (
+            "stresses at particles that are there already",
+            "fields = { principal = true }",
+            "fields = { recovered = true }\n[formulation]\nnodal = { order = 1 }",
+        ),
         ("a ply of a principal angle", "face = \"middle\"", "face = \"middle\"\nply = 1"),
         ("no face", "face = \"middle\"\n", ""),
         ("no direction", "\ndirection = [1.0, 0.0, 0.0]", ""),

@@ -98,14 +98,18 @@ impl Content<'_> {
         let points = rows(shell.len(), |a| xyz(shell.position(a)));
         to.geometry(&points, Connectivity { count: self.cells(), cell: &cell })?;
         self.particles(to)?;
+        let wanted = self.shown.of_stresses;
+        let results = self.results.as_ref().filter(|_| wanted.any());
+        let stressed =
+            results.map(|results| Stressed { shell, results, units: self.shown.units, at: self.place() });
+        // What stands at points goes before what stands in cells.
+        if let Some(stressed) = stressed.as_ref().filter(|_| wanted.recovered && self.place() == At::Cells) {
+            stressed.recovered(wanted.principal, to)?;
+        }
         self.indicator(to)?;
         self.yielding(to)?;
         self.stresses(to)?;
-        let Some(results) = self.results.as_ref().filter(|_| self.shown.of_stresses.any()) else {
-            return Ok(());
-        };
-        let stressed = Stressed { shell, results, units: self.shown.units, at: self.place() };
-        stressed.write(self.shown.of_stresses, to)
+        stressed.map_or(Ok(()), |stressed| stressed.write(wanted, to))
     }
 
     /// The body: a layer of hexahedra and wedges between the faces, half the thickness along the directors; lines where

@@ -91,7 +91,7 @@ impl Stressed<'_> {
     }
 
     /// The directions of the components of a point as they lie now: the first along x,1, the second across it in the surface.
-    fn frame(&self, point: usize) -> [Vec3; 2] {
+    pub(super) fn frame(&self, point: usize) -> [Vec3; 2] {
         let stencil = self.shell.reference().operator.stencil(point);
         let along = |weights: &[f64]| -> Vec3 {
             let of = |(&a, weight): (&u32, &f64)| self.shell.position(a as usize) * *weight;

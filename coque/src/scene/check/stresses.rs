@@ -6,6 +6,7 @@ use crate::scene::curve::{Measured, Probe};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::problem::BodyScene;
 use crate::scene::shell::ShellScene;
+use crate::scene::shell::formulation::Formulation;
 use crate::scene::shell::material::Material;
 use crate::scene::shell::parts::ShellPart;
 use crate::scene::shell::section::Section;
@@ -210,6 +211,7 @@ pub(super) fn check_stress_fields(scene: &BodyInScene<'_>) -> Verdict {
         Err(SceneError::Choice(scene.scope().fault(path, value, bound, repair)))
     };
     let principal = "principal stresses";
+    let (recovered, nodal) = ("output.fields.recovered", "stresses at particles from those of cells");
     match scene.as_shell() {
         None if scene.together => return Ok(()),
         None if fields.principal && scene.as_solid().is_none() => {
@@ -219,6 +221,10 @@ pub(super) fn check_stress_fields(scene: &BodyInScene<'_>) -> Verdict {
                 "none but of shells and solids",
                 "remove it",
             );
+        }
+        None if fields.recovered => {
+            let repair = "remove it; `stresses` and `principal` of solids are those of their nodes";
+            return refuse(recovered, nodal, "none but of a shell", repair);
         }
         None if fields.plies => {
             return refuse(
@@ -237,6 +243,13 @@ pub(super) fn check_stress_fields(scene: &BodyInScene<'_>) -> Verdict {
                 let bound = "none where stresses do not run linearly through the thickness: of plies and of what yields";
                 let repair = "remove it; plies of elastic materials have `plies` and `reserve`";
                 return refuse("output.fields.principal", principal, bound, repair);
+            }
+            if fields.recovered
+                && !scene.together
+                && !matches!(shell.formulation, Formulation::StressPoint(_))
+            {
+                let bound = "none where stresses are sampled at the particles";
+                return refuse(recovered, nodal, bound, "remove it: `stresses` has them there");
             }
             if fields.plies && (has_plies(shell) || !scene.together) {
                 check_by_plies(scene, shell, "output.fields.plies", "stresses of plies")?;
