@@ -8,7 +8,7 @@
 //! | what fields show of it | `shown.rs` |
 //! | which kind is built; what all kinds refuse | `build.rs`; `refusal.rs` |
 //! | what loads and supports amount to | `resultants.rs` |
-//! | what stresses say whatever their axes; stresses of plies | `invariants.rs`; `plies.rs` |
+//! | what stresses say whatever their axes; stresses of plies; at particles | `invariants.rs`; `plies.rs`; `recovered.rs` |
 //! | which rigid motions are free | `rigid.rs` |
 //! | bodies that nothing keeps apart | `outline.rs`, `unseen.rs` |
 //! | contacts with what they do now, and their names | `contact_now.rs`, `contacts_of_scene.rs` |
@@ -41,6 +41,7 @@ mod outline;
 mod plies;
 mod point_numbers;
 pub(crate) mod probe;
+mod recovered;
 mod refusal;
 mod resultants;
 mod rigid;

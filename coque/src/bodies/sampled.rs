@@ -3,6 +3,7 @@
 use super::invariants::{principal, tresca, von_mises};
 use super::plies::{OfPlies, Plies};
 use super::point_numbers::POINT_NUMBERS;
+use super::recovered::Share;
 use crate::scene::{Measured, ShellFace};
 
 /// What is known of a point at rest.
@@ -24,6 +25,8 @@ pub(crate) struct Sampled {
     pub of: Measured,
     pub face: Option<ShellFace>,
     pub points: Vec<PointAtRest>,
+    /// Of values at particles what the cells that are read give to each, by their places among those; empty where points are cells.
+    pub recovered: Vec<Vec<(usize, Share)>>,
     /// Plies at the same points, of what follows from theirs.
     pub plies: Option<(Plies, OfPlies)>,
 }
@@ -33,6 +36,12 @@ impl Sampled {
     pub fn values(&self, numbers: &[[f64; POINT_NUMBERS]]) -> Vec<f64> {
         if let Some((plies, of)) = &self.plies {
             return (0..).zip(numbers).map(|(point, numbers)| plies.value(point, *of, numbers)).collect();
+        }
+        if !self.recovered.is_empty() {
+            let at_particles = self.points.iter().zip(&self.recovered);
+            return at_particles
+                .map(|(point, shares)| self.value(point, &resultants(shares, numbers)))
+                .collect();
         }
         self.points.iter().zip(numbers).map(|(point, numbers)| self.value(point, numbers)).collect()
     }
@@ -74,6 +83,19 @@ impl Sampled {
             }
         }
     }
+}
+
+/// Resultants at a particle, in a row of numbers whose strains are zero.
+fn resultants(shares: &[(usize, Share)], numbers: &[[f64; POINT_NUMBERS]]) -> [f64; POINT_NUMBERS] {
+    let mut all = [0.0; POINT_NUMBERS];
+    for (cell, share) in shares {
+        let own = &numbers[*cell];
+        let [force, moment] = [8, 11].map(|first| share.tensor([own[first], own[first + 1], own[first + 2]]));
+        let shear = share.vector([own[14], own[15]]);
+        let row = force.into_iter().chain(moment).chain(shear);
+        all[8..].iter_mut().zip(row).for_each(|(sum, part)| *sum += part);
+    }
+    all
 }
 
 /// `σ11, σ22, σ12` \[F/L²\] at a face, from membrane forces and moments: `σ = N/t ± 6(M − eN)/t²`, the linear course of a

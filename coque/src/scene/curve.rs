@@ -37,6 +37,9 @@ pub struct Probe {
     pub component: Option<PlyComponent>,
     /// Criterion of a reserve factor or a failure index.
     pub criterion: Option<Criterion>,
+    /// Takes a stress or a section force of a shell at the particles of the set, edges among them, from those at the middles of the cells round each.
+    #[serde(default)]
+    pub recovered: bool,
     /// Point at which a pressure, over which a level is measured \[L\]: on a fluid it stays, on walls it goes with them.
     pub at: Option<[f64; 3]>,
     /// Line of a plane, face in space, through which a flux is measured; of a section force or moment the cut.

@@ -191,6 +191,11 @@ fn what_plies_are_asked_that_they_have_not() {
             "criterion = \"tsai-wu\"",
             "criterion = \"tsai-wu\"\ncomponent = \"along\"",
         ),
+        (
+            "values at particles of a reserve factor",
+            "criterion = \"tsai-wu\"",
+            "criterion = \"tsai-wu\"\nrecovered = true",
+        ),
         ("a face of a reserve factor", "criterion = \"tsai-wu\"", "criterion = \"tsai-wu\"\nface = \"top\""),
         (
             "von Mises of plies",

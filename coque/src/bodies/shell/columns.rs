@@ -1,12 +1,15 @@
 //! The columns of a curve on a shell: on its particles, or where its strains are sampled.
 
-use sph_core::Vec3;
+use std::collections::BTreeSet;
+
+use sph_core::{Frame, Vec3};
 use sph_shell::{Formulation, Shell};
 
 use super::build::Builder;
 use super::cells::CellSets;
 use crate::bodies::Probe;
 use crate::bodies::plies::{OfPlies, Plies};
+use crate::bodies::recovered::{Share, recovery};
 use crate::bodies::sampled::{PointAtRest, Sampled};
 use crate::bodies::sets::{self, Sets};
 use crate::scene;
@@ -25,6 +28,12 @@ impl Builder<'_> {
             let path = column.at("on");
             let in_cells =
                 column.of.is_of_strains() && matches!(shell.formulation(), Formulation::StressPoint(_));
+            if column.recovered {
+                let cloud = &shell.reference().cloud;
+                let particles: Vec<u32> =
+                    sets::places(cloud, sets.at(self.scene, &path, column.on)?).collect();
+                return self.at_particles(column, &particles, shell);
+            }
             let on = match in_cells {
                 true => cells.at(&path, column.on)?,
                 false if column.of.is_of_section() => self.beyond(column, sets, shell)?,
@@ -44,6 +53,59 @@ impl Builder<'_> {
         self.scene.curve.iter().map(probe).collect()
     }
 
+    /// A column of values at particles, from those of the cells round them.
+    fn at_particles(
+        &self,
+        column: &OnSet<'_, scene::Probe>,
+        particles: &[u32],
+        shell: &Shell,
+    ) -> Result<Probe, SceneError> {
+        let shares = recovery(shell, particles.iter().copied());
+        let cells: BTreeSet<u32> = shares.iter().flatten().map(|share| share.cell).collect();
+        let cells = Vec::from_iter(cells);
+        let place = |cell: u32| cells.partition_point(|&other| other < cell);
+        let of_cells = |own: Vec<Share>| own.into_iter().map(|share| (place(share.cell), share)).collect();
+        let cloud = &shell.reference().cloud;
+        let at_rest = |(&a, own): (&u32, &Vec<Share>)| {
+            let along = self.in_surface(column, &cloud.frames[a as usize], &cloud.positions[a as usize])?;
+            let section = own.first().map(|share| shell.section_at(share.cell as usize));
+            let section = section.map_or([shell.thickness(), 0.0], |own| [own.thickness, own.height]);
+            Ok(PointAtRest { along, section, area: 0.0, initial: [0.0; 6] })
+        };
+        let points = particles.iter().zip(&shares).map(at_rest).collect::<Result<_, SceneError>>()?;
+        let recovered = shares.into_iter().map(of_cells).collect();
+        let sampled = Sampled { of: column.of, face: column.face, points, recovered, plies: None };
+        let direction = column.direction.map_or_else(Vec3::zeros, |v| self.turned(v).normalize());
+        let probe = Probe::of_column(self.scene.scene, column, cells, direction);
+        Ok(Probe { sampled: Some(sampled), ..probe })
+    }
+
+    /// The direction of a column in a frame of the surface, a unit vector; zero where it has none.
+    fn in_surface(
+        &self,
+        column: &OnSet<'_, scene::Probe>,
+        frame: &Frame,
+        place: &Vec3,
+    ) -> Result<[f64; 2], SceneError> {
+        /// A direction closer to the normal than this has none in the surface.
+        const ACROSS: f64 = 1e-6;
+        let Some(direction) = column.direction else { return Ok([0.0; 2]) };
+        let e = self.turned(direction).normalize();
+        let [a, b] = [e.dot(&frame.t1), e.dot(&frame.t2)];
+        let size = libm::hypot(a, b);
+        if size >= ACROSS {
+            return Ok([a / size, b / size]);
+        }
+        let x = self.turn_back(place);
+        let bound = format!(
+            "along the surface, on which it stands at [{:.4}, {:.4}, {:.4}]: what strains make has components in it",
+            x.x, x.y, x.z
+        );
+        let path = column.at("direction");
+        let repair = "take a direction in the surface, or a set on which it lies so";
+        Err(self.scene.source.value(&path, format!("{direction:?}"), &bound, repair))
+    }
+
     /// What is known at rest of the points of a column.
     fn sampled(
         &self,
@@ -51,29 +113,10 @@ impl Builder<'_> {
         points: &[u32],
         shell: &Shell,
     ) -> Result<Sampled, SceneError> {
-        /// A direction closer to the normal than this has none in the surface.
-        const ACROSS: f64 = 1e-6;
         let at_rest = |&p: &u32| {
             let point = &shell.reference().operator.points[p as usize];
             let section = shell.section_at(p as usize);
-            let mut along = [0.0; 2];
-            if let Some(direction) = column.direction {
-                let e = self.turned(direction).normalize();
-                let [a, b] = [e.dot(&point.frame.t1), e.dot(&point.frame.t2)];
-                let size = libm::hypot(a, b);
-                if size < ACROSS {
-                    let x = self.turn_back(&point.position);
-                    let bound = format!(
-                        "along the surface, on which it stands at [{:.4}, {:.4}, {:.4}]: what strains make has components in it",
-                        x.x, x.y, x.z
-                    );
-                    let path = column.at("direction");
-                    let repair = "take a direction in the surface, or a set on which it lies so";
-                    let value = format!("{direction:?}");
-                    return Err(self.scene.source.value(&path, value, &bound, repair));
-                }
-                along = [a / size, b / size];
-            }
+            let along = self.in_surface(column, &point.frame, &point.position)?;
             let initial = section.initial;
             let section = [section.thickness, section.height];
             Ok(PointAtRest { along, section, area: point.weight, initial })
@@ -83,7 +126,7 @@ impl Builder<'_> {
             false => None,
         };
         let points = points.iter().map(at_rest).collect::<Result<_, SceneError>>()?;
-        Ok(Sampled { of: column.of, face: column.face, points, plies })
+        Ok(Sampled { of: column.of, face: column.face, points, recovered: Vec::new(), plies })
     }
 
     /// The plies at the points of a column, each of which has what is asked of it.

@@ -22,7 +22,6 @@ mod own_contact;
 mod parts;
 mod places;
 mod plies;
-mod recovered;
 mod recovered_fields;
 mod refusal;
 mod rigid;

@@ -5,9 +5,9 @@ use std::io;
 use mesh_io::{At, FieldWriter, Values, rows};
 use sph_core::Vec3;
 
-use super::recovered::{Share, recovery};
 use super::stress_fields::Stressed;
 use crate::bodies::invariants::{principal, von_mises};
+use crate::bodies::recovered::{Share, recovery};
 use crate::bodies::sampled::face_stress;
 use crate::scene::ShellFace;
 use crate::scene::units::Quantity;
@@ -30,7 +30,10 @@ struct Nodal {
 impl Stressed<'_> {
     /// Writes resultants at particles, of homogeneous shells stresses of both faces, principal ones where these are wanted.
     pub fn recovered(&self, with_principal: bool, to: &mut dyn FieldWriter) -> io::Result<()> {
-        let nodal: Vec<Nodal> = recovery(self.shell).iter().map(|shares| self.nodal(shares)).collect();
+        let nodal: Vec<Nodal> = recovery(self.shell, 0..self.shell.len() as u32)
+            .iter()
+            .map(|shares| self.nodal(shares))
+            .collect();
         let t1 = rows(nodal.len(), |a| <[f64; 3]>::from(nodal[a].t1).map(|value| value as f32));
         to.numbers(At::Points, "nodal_t1", "", &[], Values::Single(&t1))?;
         let put = |to: &mut dyn FieldWriter, name: &str, quantity, of: &dyn Fn(&Nodal) -> [f64; 3]| {

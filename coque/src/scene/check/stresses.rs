@@ -51,11 +51,16 @@ fn check_keys(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     let judged = matches!(of, Measured::ReserveFactor | Measured::FailureIndex);
     let stress = of == Measured::PlyStress;
     let face = shell && (of.is_of_stress() || of == Measured::PrincipalAngle || stress);
+    let in_surface = matches!(of, Measured::MembraneForce | Measured::BendingMoment | Measured::ShearForce);
+    let sampled = |shell: &ShellScene| matches!(shell.formulation, Formulation::StressPoint(_));
+    let recovered = !stress && (face || in_surface) && scene.as_shell().is_some_and(sampled);
+    let at_particles = "no stress or section force of a shell that is sampled in its cells";
     for (key, given, allowed, value, what) in [
         ("face", probe.face.is_some(), face, "a face", "of no face"),
         ("ply", probe.ply.is_some(), judged || stress, "a ply", "of no ply"),
         ("component", probe.component.is_some(), stress, "a component", "no stress of a ply"),
         ("criterion", probe.criterion.is_some(), judged, "a criterion", "judged by none"),
+        ("recovered", probe.recovered, recovered, "values at particles", at_particles),
     ] {
         if given && !allowed {
             let bound = format!("none: {word} is {what}");

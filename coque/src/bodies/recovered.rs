@@ -18,7 +18,7 @@ const FLAT: f64 = 1e-6;
 
 /// What a cell gives to a particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Share {
+pub(crate) struct Share {
     pub cell: u32,
     /// How many times it counts.
     pub weight: f64,
@@ -43,10 +43,10 @@ impl Share {
     }
 }
 
-/// For each particle of a shell with cells what these give to it.
-pub(super) fn recovery(shell: &Shell) -> Vec<Vec<Share>> {
+/// For each of some particles of a shell with cells what these give to it.
+pub(in crate::bodies) fn recovery(shell: &Shell, particles: impl Iterator<Item = u32>) -> Vec<Vec<Share>> {
     let patches = Patches::new(shell);
-    (0..shell.len() as u32).map(|a| patches.shares(a)).collect()
+    particles.map(|a| patches.shares(a)).collect()
 }
 
 struct Patches<'a> {
