@@ -278,6 +278,7 @@ mod inertia;
 mod iterative;
 mod modal;
 mod newton;
+mod noise;
 mod one_solve;
 mod options;
 mod ordering;
@@ -285,6 +286,7 @@ mod path;
 mod pattern;
 mod rank_one;
 mod relaxation;
+mod response_spectrum;
 mod several;
 mod solver;
 mod stepper;
@@ -310,6 +312,7 @@ pub use inertia::Inertia;
 pub use iterative::{ConjugateOptions, Iterated, conjugate_response};
 pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, linear_response};
+pub use noise::{PowerDensity, noise_frequencies};
 pub use one_solve::OneSolve;
 pub use options::{
     Branches, Control, CriticalOptions, Damping, NewtonOptions, PathOptions, RelaxationOptions,
@@ -317,6 +320,10 @@ pub use options::{
 pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
 pub use rank_one::RankOne;
 pub use relaxation::{Relaxation, RelaxationMemory, Relaxed, Relaxing, SnapEnergy, relax};
+pub use response_spectrum::{
+    Combination, DirectionRule, ModesTogether, ResponseSpectrum, SpectralValue, SpectrumBy, correlation,
+    pseudo_acceleration,
+};
 pub use several::{Interaction, Joinable, Several};
 pub use solver::SymmetricSolver;
 pub use vectors::sign_of_greatest;
