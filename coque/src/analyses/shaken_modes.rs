@@ -131,7 +131,9 @@ impl ShakenModes {
             };
             let modes: Vec<ExcitedMode> = source.reduced.loads().take(count).map(one).collect();
             let mass = source.reduced.carried() / (size * size);
-            let share = modes.iter().map(|mode| mode.effective_mass).sum::<f64>() / mass;
+            let moved: f64 = modes.iter().map(|mode| mode.effective_mass).sum();
+            // Where all is held along a base nothing moves, and nothing is missing.
+            let share = if mass > 0.0 { moved / mass } else { 1.0 };
             if share < ENOUGH {
                 let message = format!(
                     "the {count} modes move {:.1} % of the mass along base {}, less than the {:.0} % that are usual: what the others do is one shape more in the \

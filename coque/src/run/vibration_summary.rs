@@ -16,6 +16,27 @@ pub struct VibrationSummary {
     pub noise: Vec<NoiseSummary>,
 }
 
+impl VibrationSummary {
+    /// What of it a program tells in lines: how much of the mass the modes have, which of them has most, how strong noise is.
+    pub fn lines(&self) -> Vec<String> {
+        let of_base = |(number, base): (usize, &BaseSummary)| {
+            let all = base.modes.iter().zip(&self.modes).enumerate();
+            let most = all.max_by(|a, b| a.1.0.effective_mass.total_cmp(&b.1.0.effective_mass));
+            let most = most.map_or_else(String::new, |(mode, (own, swings))| {
+                let (mode, share) = (mode + 1, 100.0 * own.effective_mass / base.mass);
+                format!("; most has mode {mode} of the frequency {:.4e}, {share:.2} %, with the participation factor {:.4e}", swings.frequency, own.participation)
+            });
+            format!("base {}: {} modes have {:.2} % of the mass{most}", number + 1, base.modes.len(), 100.0 * base.share)
+        };
+        let of_noise = |own: &NoiseSummary| {
+            let crosses = own.crossings.map_or_else(String::new, |by| format!(", crosses zero {by:.4e} times by time"));
+            format!("{}: root mean square {:.4e} {}{crosses}", own.column.name, own.root_mean_square, own.column.unit)
+        };
+        let bases = self.bases.iter().enumerate().filter(|(_, base)| base.mass > 0.0).map(of_base);
+        bases.chain(self.noise.iter().map(of_noise)).collect()
+    }
+}
+
 /// A mode.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SwingingMode {

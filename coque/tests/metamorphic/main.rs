@@ -117,7 +117,8 @@ const SHAKEN_DIRECTLY: [(&str, &str); 2] = [
 ];
 
 /// By spectra that are the same at any period, in directions of no axis.
-const SPECTRA: [(&str, &str); 2] = [
+const SPECTRA: [(&str, &str); 3] = [
+    ("output", "{}"),
     ("geometry.plate.particles", "[21, 3]"),
     (
         "analysis",

@@ -147,7 +147,7 @@ mod tests {
     #[test]
     fn an_oscillator_overshoots_a_step_as_its_closed_form_says() {
         for (omega, zeta) in [(3.0, 0.0), (3.0, 0.05), (40.0, 0.3), (0.2, 0.02)] {
-            let record = [[0.0, 2.0], [1.0, 2.0], [3.0, 2.0], [100.0, 2.0]];
+            let record = [[0.0, 2.0], [100.0, 2.0]];
             let over = libm::exp(-std::f64::consts::PI * zeta / (1.0_f64 - zeta * zeta).sqrt());
             let found = pseudo_acceleration(&record, omega, zeta);
             assert!((found / (2.0 * (1.0 + over)) - 1.0).abs() < 1e-12, "{omega} {zeta} {found}");

@@ -2,8 +2,6 @@
 
 /// Part of a radian of the oscillator between two looks at the sign of its velocity.
 const LOOK: f64 = 0.3;
-/// Looks in a piece of a record, at most: of an oscillator so stiff that it follows the ground, what it swings by beside that is nothing.
-const MOST_LOOKS: f64 = 256.0;
 /// Halvings by which the time of an extreme is found: its way is off by the square of what they leave of a look.
 const HALVINGS: usize = 30;
 
@@ -78,15 +76,23 @@ impl Piece {
         [alpha + beta * t + u, beta + v]
     }
 
-    /// How far it goes within a time.
+    /// How far it goes within a time: near an end of it, for what it swings about goes along a line, and what it swings by falls along a curve that bends upwards.
     fn farthest(&self, duration: f64) -> f64 {
-        let looks = (self.own.omega * duration / LOOK).ceil().clamp(1.0, MOST_LOOKS);
-        let mut most = 0.0_f64;
-        let mut before = (0.0, self.at(0.0));
+        let period = std::f64::consts::TAU / self.own.omega;
+        if duration <= 2.0 * period {
+            return self.farthest_between([0.0, duration]);
+        }
+        self.farthest_between([0.0, period]).max(self.farthest_between([duration - period, duration]))
+    }
+
+    fn farthest_between(&self, [from, to]: [f64; 2]) -> f64 {
+        let looks = (self.own.omega * (to - from) / LOOK).ceil().max(1.0);
+        let mut before = (from, self.at(from));
+        let mut most = before.1[0].abs();
         for look in 1..=looks as usize {
-            let time = duration * look as f64 / looks;
+            let time = from + (to - from) * look as f64 / looks;
             let now = self.at(time);
-            most = most.max(now[0].abs()).max(before.1[0].abs());
+            most = most.max(now[0].abs());
             if now[1] * before.1[1] < 0.0 {
                 most = most.max(self.turning([before.0, time], before.1[1]).abs());
             }

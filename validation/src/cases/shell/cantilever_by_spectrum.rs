@@ -39,6 +39,7 @@ pub fn case() -> Case {
         Variant::scene(STATIC, SCENE, grid)
             .set("geometry.plate.particles", format!("[{along}, 3]"))
             .set("analysis", spectrum)
+            .set("output", "{}")
             .set("curve[+]", moment)
             .judged(|run: &Run, _| of_cantilever(run))
     };
@@ -58,7 +59,7 @@ pub fn case() -> Case {
                 .on("of the deck")
                 .set("geometry.plate.particles", "[33, 3]")
                 .set("analysis", record)
-                .set("output.over_time", "false")
+                .set("output", "{}")
                 .judged(|run: &Run, _| of_deck(run)),
         ],
         headline: Some(Headline::new(WORST, 0.5)),
