@@ -35,7 +35,9 @@ pub(super) fn key(analysis: &Analysis, curves: &[&Curve]) -> Result<Key, String>
         Analysis::Linear(_) => Key::Only,
         Analysis::Modal(_) | Analysis::Buckling(_) => Key::Shape,
         Analysis::ResponseSpectrum(_) => named("base").map_or(Key::Only, Key::Column),
-        Analysis::Harmonic(_) | Analysis::RandomVibration(_) => named("frequency").map_or(Key::Only, Key::Column),
+        Analysis::Harmonic(_) | Analysis::RandomVibration(_) => {
+            named("frequency").map_or(Key::Only, Key::Column)
+        }
         Analysis::ArcLength(_) => {
             let always = analysis.kind().columns;
             let grows = |&at: &usize| curves.iter().all(|curve| is_monotone(curve, at));

@@ -95,17 +95,15 @@ impl Course {
             (Self::Harmonic(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(harmonic::harmonic(wanted, body.as_mut(), run))
             }
-            (Self::Shaken(scene, threads), Ready::Static(body)) => {
-                ControlFlow::Break(match analysis {
-                    Analysis::ResponseSpectrum(wanted) => {
-                        response_spectrum::response_spectrum(scene, wanted, *threads, body.as_mut(), run)
-                    }
-                    Analysis::RandomVibration(wanted) => {
-                        random_vibration::random_vibration(scene, wanted, *threads, body.as_mut(), run)
-                    }
-                    _ => Ended::Done,
-                })
-            }
+            (Self::Shaken(scene, threads), Ready::Static(body)) => ControlFlow::Break(match analysis {
+                Analysis::ResponseSpectrum(wanted) => {
+                    response_spectrum::response_spectrum(scene, wanted, *threads, body.as_mut(), run)
+                }
+                Analysis::RandomVibration(wanted) => {
+                    random_vibration::random_vibration(scene, wanted, *threads, body.as_mut(), run)
+                }
+                _ => Ended::Done,
+            }),
             (Self::Unshaken, Ready::Static(_)) => refused(analysis, "the scene of its body"),
             (Self::Buckling(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(modes::buckling(wanted, body.as_mut(), run))

@@ -170,7 +170,8 @@ fn with_analysis(analysis: &Analysis, tangent: TangentCost) -> (Vec<String>, Vec
             return of_vibration(wanted.damped(), wanted.base.map(|base| shaken(base.response)));
         }
         Analysis::ResponseSpectrum(wanted) => {
-            let bases = format!("acceleration of all that holds the body by {} response spectra", wanted.base.len());
+            let bases =
+                format!("acceleration of all that holds the body by {} response spectra", wanted.base.len());
             return of_vibration(wanted.damping.damped(), Some(bases));
         }
         Analysis::RandomVibration(wanted) => {

@@ -62,7 +62,8 @@ pub(super) fn random_vibration(
         crossings: (square > 0.0).then(|| (of_rate / square).sqrt() / TAU),
     });
     let noise_summary = summed.collect();
-    let summary = VibrationSummary { modes: found.modes(damping), bases: found.bases(run), noise: noise_summary };
+    let summary =
+        VibrationSummary { modes: found.modes(damping), bases: found.bases(run), noise: noise_summary };
     run.vibration = Some(summary);
     let circular: Vec<f64> = frequencies.iter().map(|frequency| TAU * frequency).collect();
     Warnings { frequencies: &circular, damping, natural: Some(&found.natural), below: &[] }.say(run);
@@ -130,7 +131,11 @@ impl Noise<'_> {
             add_squares(&ways, &shapes, &mut all[0]);
             if fields {
                 let slopes = source.slopes(&self.found.slopes).map(|own| &own.forces[..]);
-                add_squares(&forces, &slopes.chain([&source.driver.forces[..]]).collect::<Vec<_>>(), &mut all[1]);
+                add_squares(
+                    &forces,
+                    &slopes.chain([&source.driver.forces[..]]).collect::<Vec<_>>(),
+                    &mut all[1],
+                );
             }
         }
         Ok(all.map(|squares| squares.into_iter().map(|square: f64| square.max(0.0).sqrt()).collect()))

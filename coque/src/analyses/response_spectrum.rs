@@ -176,8 +176,7 @@ impl Greatest<'_> {
 
     /// The greatest of each force that fields show.
     fn forces(&self, together: &ModesTogether) -> Vec<f64> {
-        let slopes: Vec<&[f64]> =
-            self.source.slopes(&self.found.slopes).map(|own| &own.forces[..]).collect();
+        let slopes: Vec<&[f64]> = self.source.slopes(&self.found.slopes).map(|own| &own.forces[..]).collect();
         self.numbers(together, &slopes, &self.source.driver.forces)
     }
 

@@ -73,8 +73,11 @@ impl ShakenModes {
                 let name = format!("base {}", number + 1);
                 Box::new(Ended::Diverged(Failure::Case { name, cause }))
             };
-            let model =
-                wanted.scene.shaken_by(number).build(wanted.threads).map_err(|error| failed(error.to_string()))?;
+            let model = wanted
+                .scene
+                .shaken_by(number)
+                .build(wanted.threads)
+                .map_err(|error| failed(error.to_string()))?;
             let Ready::Static(mut body) = model.body else { return Err(failed("it marches".into())) };
             body.restore(&state);
             let mut source = all.source(body.as_mut(), (&modes, shift), wanted.damping, run)?;
@@ -158,7 +161,13 @@ impl Source {
 }
 
 /// Shows numbers that are each the greatest, or the root mean square, of their own: a motion of all unknowns, and forces of fields.
-pub(super) fn show(motion: &[f64], forces: &[f64], number: f64, system: &mut dyn StaticBody, run: &mut Run<'_>) {
+pub(super) fn show(
+    motion: &[f64],
+    forces: &[f64],
+    number: f64,
+    system: &mut dyn StaticBody,
+    run: &mut Run<'_>,
+) {
     let (rest, start) = (system.save(), system.configuration().present);
     system.update(&scaled(motion, 1.0));
     keep_enlarged(&start, &system.configuration().present, number, run);

@@ -270,7 +270,8 @@ impl<'a> Simulation<'a> {
         let Self { model, mut run, ended, started, .. } = self;
         let ended = ended.unwrap_or_default();
         run.contact.look(model.body.body(), [at.time, at.level], &mut run.record);
-        let Run { curve, mut shapes, latest, states, mut record, supports, cases, vibration, frames, .. } = run;
+        let Run { curve, mut shapes, latest, states, mut record, supports, cases, vibration, frames, .. } =
+            run;
         if let Ready::Static(body) = &model.body {
             record.warnings.extend(body.warnings());
         }

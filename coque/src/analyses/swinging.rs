@@ -164,7 +164,8 @@ impl Reader {
                 let parts = if kind == Kind::Force { &forces[own] } else { &ways[own] };
                 let taken =
                     |part: fn(&Complex) -> f64| probe.of_parts(&parts.iter().map(part).collect::<Vec<_>>());
-                let value = Complex::new(taken(|z| z.re), taken(|z| z.im)) + of_base(driver, (probe, kind), omega);
+                let value =
+                    Complex::new(taken(|z| z.re), taken(|z| z.im)) + of_base(driver, (probe, kind), omega);
                 match kind {
                     Kind::Rate => value * Complex::new(0.0, omega),
                     Kind::Acceleration => value * (-omega * omega),

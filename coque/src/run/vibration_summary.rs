@@ -26,11 +26,20 @@ impl VibrationSummary {
                 let (mode, share) = (mode + 1, 100.0 * own.effective_mass / base.mass);
                 format!("; most has mode {mode} of the frequency {:.4e}, {share:.2} %, with the participation factor {:.4e}", swings.frequency, own.participation)
             });
-            format!("base {}: {} modes have {:.2} % of the mass{most}", number + 1, base.modes.len(), 100.0 * base.share)
+            format!(
+                "base {}: {} modes have {:.2} % of the mass{most}",
+                number + 1,
+                base.modes.len(),
+                100.0 * base.share
+            )
         };
         let of_noise = |own: &NoiseSummary| {
-            let crosses = own.crossings.map_or_else(String::new, |by| format!(", crosses zero {by:.4e} times by time"));
-            format!("{}: root mean square {:.4e} {}{crosses}", own.column.name, own.root_mean_square, own.column.unit)
+            let crosses =
+                own.crossings.map_or_else(String::new, |by| format!(", crosses zero {by:.4e} times by time"));
+            format!(
+                "{}: root mean square {:.4e} {}{crosses}",
+                own.column.name, own.root_mean_square, own.column.unit
+            )
         };
         let bases = self.bases.iter().enumerate().filter(|(_, base)| base.mass > 0.0).map(of_base);
         bases.chain(self.noise.iter().map(of_noise)).collect()

@@ -125,7 +125,9 @@ const ROWS: &[Row] = &[
     (
         &["response_spectrum", "spectrum", "random", "psd"],
         &["analysis"],
-        Instead("greatest answers to a spectrum are [analysis.response-spectrum], noise is [analysis.random-vibration]"),
+        Instead(
+            "greatest answers to a spectrum are [analysis.response-spectrum], noise is [analysis.random-vibration]",
+        ),
     ),
     (
         &["rayleigh", "stiffness_damping", "modal_damping", "structural_damping", "beta"],

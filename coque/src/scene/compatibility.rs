@@ -140,7 +140,9 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
         "response-spectrum" => {
             "modes = 1, damping.ratio = 0.1, base = [{ acceleration = [0, 0, 1], by = 'period', amplitude = { table = [[0, 1]] } }]"
         }
-        "random-vibration" => "modes = 1, damping.ratio = 0.1, frequencies = [1], loads = { density = [[1, 1], [2, 1]] }",
+        "random-vibration" => {
+            "modes = 1, damping.ratio = 0.1, frequencies = [1], loads = { density = [[1, 1], [2, 1]] }"
+        }
         _ => "",
     };
     let galerkin = name.ends_with("of a Galerkin solid");

@@ -16,10 +16,8 @@ const FLAT: &str = "{ response-spectrum = { modes = 8, damping.ratio = 0.03, bas
     { acceleration = [0.0, 3.0, 0.0], by = \"period\", amplitude = { table = [[0.0, 0.5]] } }] } }";
 const NOISE: &str = "{ random-vibration = { modes = 8, damping.ratio = 0.02, frequencies = [15.0, 31.0, 60.0, 240.0], \
     base = [{ acceleration = [0.5, 0.0, 2.0], density = [[10.0, 0.02], [100.0, 0.05], [400.0, 0.01]] }] } }";
-const ACCELERATED: (&str, &str) = (
-    "curve[+]",
-    "{ name = \"a\", of = \"acceleration\", on = \"there\", direction = [0.1, 0.3, 1.0] }",
-);
+const ACCELERATED: (&str, &str) =
+    ("curve[+]", "{ name = \"a\", of = \"acceleration\", on = \"there\", direction = [0.1, 0.3, 1.0] }");
 const UNLOADED: (&str, &str) = ("loads", "[]");
 const COLUMNS: [&str; 7] = ["w", "turn", "v", "R", "M", "m", "a"];
 const MASS: f64 = 2700.0 * 0.4 * 0.3 * 0.004;
@@ -127,8 +125,12 @@ fn a_density_is_a_harmonic_answer_squared() {
     let swings = "{ harmonic = { modes = 8, damping.ratio = 0.02, frequencies = [15.0, 31.0, 60.0, 240.0], base.acceleration = [0.5, 0.0, 2.0] } }";
     let noise = noisy(&[]);
     let relative = plate(&[("analysis", swings), UNLOADED, ACCELERATED]);
-    let absolute =
-        plate(&[("analysis", swings), UNLOADED, ACCELERATED, ("analysis.harmonic.base.response", "absolute")]);
+    let absolute = plate(&[
+        ("analysis", swings),
+        UNLOADED,
+        ACCELERATED,
+        ("analysis.harmonic.base.response", "absolute"),
+    ]);
     let frequencies = column(&noise, "frequency");
     for name in COLUMNS {
         // Accelerations are those in space.
@@ -160,15 +162,15 @@ fn root_mean_square(outcome: &Outcome, name: &str) -> [f64; 2] {
 fn root_mean_squares_are_integrals_of_densities() {
     let narrow = "[{ acceleration = [0.5, 0.0, 2.0], density = [[10.0, 0.02], [60.0, 0.05]] }]";
     let many = "{ from = 10.0, to = 60.0, points = 4001 }";
-    let outcome = noisy(&[
-        ("analysis.random-vibration.base", narrow),
-        ("analysis.random-vibration.frequencies", many),
-    ]);
+    let outcome =
+        noisy(&[("analysis.random-vibration.base", narrow), ("analysis.random-vibration.frequencies", many)]);
     let (frequencies, omegas) = (column(&outcome, "frequency"), column(&outcome, "circular_frequency"));
     for name in COLUMNS {
         let density = column(&outcome, name);
         let integral = |of: &dyn Fn(usize) -> f64| -> f64 {
-            (1..density.len()).map(|i| 0.5 * (frequencies[i] - frequencies[i - 1]) * (of(i) + of(i - 1))).sum()
+            (1..density.len())
+                .map(|i| 0.5 * (frequencies[i] - frequencies[i - 1]) * (of(i) + of(i - 1)))
+                .sum()
         };
         let square = integral(&|i| density[i]);
         let of_rate = integral(&|i| omegas[i] * omegas[i] * density[i]);

@@ -31,11 +31,19 @@ fn spectra_and_noise_that_cannot_be_had() {
             )],
         ),
         ("a load", DECK, &[("loads", "[{ on = \"u1\", force = { total = [0, 0, 1] } }]")]),
-        ("a stress without a sign", DECK, &[("curve[+]", "{ name = \"s\", of = \"von-mises\", on = \"all\" }")]),
+        (
+            "a stress without a sign",
+            DECK,
+            &[("curve[+]", "{ name = \"s\", of = \"von-mises\", on = \"all\" }")],
+        ),
         ("no noise", PANEL, &[("analysis.random-vibration.base", "[]")]),
         ("one point", PANEL, &[(density, "[[20.0, 0.1]]")]),
         ("no power", PANEL, &[(density, "[[0.0, 0.1], [20.0, 0.1]]")]),
-        ("noise of no loads", PANEL, &[("analysis.random-vibration.loads", "{ density = [[1.0, 1.0], [2.0, 1.0]] }")]),
+        (
+            "noise of no loads",
+            PANEL,
+            &[("analysis.random-vibration.loads", "{ density = [[1.0, 1.0], [2.0, 1.0]] }")],
+        ),
     ];
     let said = cases.map(|(what, scene, replaced)| format!("== {what}\n{}\n", refusal(scene, replaced, 100)));
     insta::assert_snapshot!(said.concat());

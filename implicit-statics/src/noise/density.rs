@@ -28,7 +28,8 @@ impl PowerDensity {
             let octaves = libm::log(f1 / f0);
             let power = libm::log(g1 / g0) / octaves + 1.0;
             // ∫ g₀ (f/f₀)^(p−1) df, p = 0 of what falls by 1/f.
-            let by = if (power * octaves).abs() < 1e-12 { octaves } else { libm::expm1(power * octaves) / power };
+            let by =
+                if (power * octaves).abs() < 1e-12 { octaves } else { libm::expm1(power * octaves) / power };
             g0 * f0 * by
         };
         self.points.windows(2).map(piece).sum()

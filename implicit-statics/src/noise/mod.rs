@@ -49,7 +49,8 @@ mod tests {
 
     #[test]
     fn the_mean_square_of_a_density_is_its_integral() {
-        let density = PowerDensity { points: vec![[20.0, 0.01], [80.0, 0.04], [350.0, 0.04], [2000.0, 0.007]] };
+        let density =
+            PowerDensity { points: vec![[20.0, 0.01], [80.0, 0.04], [350.0, 0.04], [2000.0, 0.007]] };
         let sum: f64 =
             noise_frequencies(&[&density], &[]).into_iter().map(|[f, weight]| weight * density.at(f)).sum();
         assert!((sum / density.mean_square() - 1.0).abs() < 1e-13);

@@ -20,7 +20,8 @@ const NARROWEST: f64 = 1e-13;
 /// Each panel is at most as wide as it is far from a natural frequency, or half of the width of its peak: the poles of H are then no nearer to a
 /// panel than half of its length, and twelve points leave 1e-13 of what is integrated.
 pub fn frequencies(densities: &[&PowerDensity], peaks: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut ends: Vec<f64> = densities.iter().flat_map(|own| own.points.iter().map(|point| point[0])).collect();
+    let mut ends: Vec<f64> =
+        densities.iter().flat_map(|own| own.points.iter().map(|point| point[0])).collect();
     let (Some(first), Some(last)) =
         (ends.iter().copied().reduce(f64::min), ends.iter().copied().reduce(f64::max))
     else {
@@ -46,9 +47,7 @@ pub fn frequencies(densities: &[&PowerDensity], peaks: &[[f64; 2]]) -> Vec<[f64;
     ends.dedup_by(|b, a| *b - *a <= NARROWEST * *a);
     let panel = |pair: &[f64]| {
         let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
-        GAUSS.iter().flat_map(move |&[at, weight]| {
-            [-at, at].map(|at| [middle + half * at, half * weight])
-        })
+        GAUSS.iter().flat_map(move |&[at, weight]| [-at, at].map(|at| [middle + half * at, half * weight]))
     };
     ends.windows(2).flat_map(panel).collect()
 }

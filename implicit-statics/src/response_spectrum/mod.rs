@@ -166,16 +166,16 @@ mod tests {
         let mut spectrum = ResponseSpectrum {
             by: SpectrumBy::Period,
             logarithmic: false,
-            curves: vec![
-                (0.02, vec![[0.1, 4.0], [0.5, 8.0]]),
-                (0.08, vec![[0.1, 2.0], [0.5, 4.0]]),
-            ],
+            curves: vec![(0.02, vec![[0.1, 4.0], [0.5, 8.0]]), (0.08, vec![[0.1, 2.0], [0.5, 4.0]])],
         };
         let of = |spectrum: &ResponseSpectrum, period: f64, zeta| spectrum.at(TAU / period, zeta);
         assert!((of(&spectrum, 0.3, 0.02).value - 6.0).abs() < 1e-14);
         // Half of the way in the logarithm.
         assert!((of(&spectrum, 0.3, 0.04).value - 4.5).abs() < 1e-14);
-        assert_eq!(of(&spectrum, 0.01, 0.08), SpectralValue { value: 2.0, softer: false, other_damping: false });
+        assert_eq!(
+            of(&spectrum, 0.01, 0.08),
+            SpectralValue { value: 2.0, softer: false, other_damping: false }
+        );
         assert_eq!(of(&spectrum, 0.6, 0.1), SpectralValue { value: 4.0, softer: true, other_damping: true });
         assert!(of(&spectrum, 0.3, 0.01).other_damping);
         assert_eq!(spectrum.of_ground(), 4.0);

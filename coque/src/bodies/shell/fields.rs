@@ -101,7 +101,8 @@ impl Content<'_> {
         self.indicator(to)?;
         self.yielding(to)?;
         self.stresses(to)?;
-        let Some(results) = self.results.as_ref().filter(|_| self.shown.of_stresses.any() && self.at_once()) else {
+        let Some(results) = self.results.as_ref().filter(|_| self.shown.of_stresses.any() && self.at_once())
+        else {
             return Ok(());
         };
         let stressed = Stressed { shell, results, units: self.shown.units, at: self.place() };
@@ -256,7 +257,10 @@ impl Content<'_> {
 
     /// Where strains are sampled at the cells, how far those of a cell are from what its neighbours make of them.
     fn indicator(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
-        let results = self.results.as_ref().filter(|_| self.shown.indicator && self.at_once() && self.place() == At::Cells);
+        let results = self
+            .results
+            .as_ref()
+            .filter(|_| self.shown.indicator && self.at_once() && self.place() == At::Cells);
         let Some(results) = results else { return Ok(()) };
         let found = indicator(self.shell, results);
         let all = rows(found.len(), |i| [found[i] as f32]);

@@ -155,12 +155,12 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
 /// The same but for what glue does.
 fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
-        Acceleration, BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director, Displacement,
-        EnclosedPressure, EnclosedVolume, Energy, FailureIndex, Flux, Force, FractureEnergy, FrictionLoss,
-        GreatestDepth, Level, MaxPrincipal, MembraneForce, MinPrincipal, Moment, Pieces, PlasticStrain,
-        PlasticWork, PlyStress, Position, Pressure, PrincipalAngle, Reaction, ReactionMoment, ReserveFactor,
-        Rotation, SectionForce, SectionMoment, ShearForce, StrainEnergy, Stress, Thickness, TouchingArea,
-        Tresca, Velocity, VonMises, WetLength,
+        Acceleration, BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director,
+        Displacement, EnclosedPressure, EnclosedVolume, Energy, FailureIndex, Flux, Force, FractureEnergy,
+        FrictionLoss, GreatestDepth, Level, MaxPrincipal, MembraneForce, MinPrincipal, Moment, Pieces,
+        PlasticStrain, PlasticWork, PlyStress, Position, Pressure, PrincipalAngle, Reaction, ReactionMoment,
+        ReserveFactor, Rotation, SectionForce, SectionMoment, ShearForce, StrainEnergy, Stress, Thickness,
+        TouchingArea, Tresca, Velocity, VonMises, WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
@@ -213,8 +213,7 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
         known.extend(stresses.into_iter().filter(|_| !scene.in_fluid));
         // In space, of forces alone; a moment that swings was not looked at.
         let in_space = !solid.is_plane() && !solid.has_directors();
-        known
-            .extend((in_space && !scene.analysis.swings()).then_some(ReactionMoment));
+        known.extend((in_space && !scene.analysis.swings()).then_some(ReactionMoment));
     } else if !scene.in_fluid {
         known.extend([ReactionMoment, MembraneForce, BendingMoment, ShearForce, Energy]);
         known.extend(stresses);

@@ -15,8 +15,7 @@ pub(super) fn check_harmonic(scene: &BodyInScene<'_>, wanted: &Harmonic) -> Verd
     check_frequencies(scene, &wanted.frequencies)?;
     if let Some(VibrationDamping::Ratio(ratio)) = wanted.damping.filter(|_| wanted.modes.is_none()) {
         let bound = "none without `modes`: a ratio is that of modes";
-        let repair =
-            "add modes = …, or use damping.structural = 2 × the ratio, which is the same at peaks";
+        let repair = "add modes = …, or use damping.structural = 2 × the ratio, which is the same at peaks";
         return Err(s.value("analysis.harmonic.damping.ratio", ratio, bound, repair));
     }
     check_damping(scene, wanted.damping)?;
@@ -51,8 +50,10 @@ pub(super) fn check_swings(scene: &BodyInScene<'_>) -> Verdict {
     let mut motions = scene.supports.iter().filter(|support| !support.preload);
     if let Some((support, word)) = motions.find_map(|support| Some((support, support.motion()?.0))) {
         let bound = format!("none in {what}, unless `preload = true` brings it about before");
-        let repair =
-            format!("shake all supports by analysis.{}.base, or load the set by a force", scene.analysis.word());
+        let repair = format!(
+            "shake all supports by analysis.{}.base, or load the set by a force",
+            scene.analysis.word()
+        );
         let fault = s.fault(&support.at(word), "a prescribed motion", &bound, &repair);
         return Err(SceneError::Choice(fault));
     }
@@ -119,8 +120,8 @@ pub(super) fn check_damping(scene: &BodyInScene<'_>, damping: Option<VibrationDa
 /// Refuses what has no amplitude: what is no linear number of the motion.
 fn check_swinging(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     use Measured::{
-        Acceleration, BendingMoment, Director, Displacement, MembraneForce, PlyStress, Reaction, ReactionMoment, Rotation,
-        SectionForce, SectionMoment, ShearForce, Stress, Velocity,
+        Acceleration, BendingMoment, Director, Displacement, MembraneForce, PlyStress, Reaction,
+        ReactionMoment, Rotation, SectionForce, SectionMoment, ShearForce, Stress, Velocity,
     };
     let known = [
         Displacement,
@@ -149,7 +150,8 @@ fn check_swinging(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
     }
     if matches!(probe.taken(), Take::Max | Take::Min) {
         let what = scene.analysis.kind().name;
-        let bound = format!("\"mean\" or \"sum\" in {what}: particles reach their greatest at times of their own");
+        let bound =
+            format!("\"mean\" or \"sum\" in {what}: particles reach their greatest at times of their own");
         let repair = "remove it, or name the particle";
         let word = if probe.taken() == Take::Max { "\"max\"" } else { "\"min\"" };
         return Err(SceneError::Choice(s.fault(&probe.at("take"), word, &bound, repair)));

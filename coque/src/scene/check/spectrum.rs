@@ -20,14 +20,16 @@ pub(super) fn check_spectrum(scene: &BodyInScene<'_>, wanted: &SpectrumAnalysis)
     check_damping(scene, Some(wanted.damping))?;
     if wanted.base.is_empty() {
         let repair = "add [[analysis.response-spectrum.base]] with its `acceleration` and its spectrum";
-        let fault = s.fault(&format!("{SPECTRUM}.base"), "nothing", "a direction that shakes at least", repair);
+        let fault =
+            s.fault(&format!("{SPECTRUM}.base"), "nothing", "a direction that shakes at least", repair);
         return Err(SceneError::Choice(fault));
     }
     for (i, base) in wanted.base.iter().enumerate() {
         check_base(s, &format!("{SPECTRUM}.base[{i}]"), base)?;
     }
     if let Some(load) = scene.loads.iter().find(|load| !load.preload && !load.of_base) {
-        let bound = "none beside response spectra, whose answers have no sign, unless `preload = true` holds it";
+        let bound =
+            "none beside response spectra, whose answers have no sign, unless `preload = true` holds it";
         let repair = "remove it, and add the answer to it from a run of its own, with either sign";
         return Err(SceneError::Choice(s.fault(&load.path, "a load", bound, repair)));
     }
@@ -79,7 +81,11 @@ fn check_curve(s: &Scope<'_>, at: &str, base: &SpectrumBase, amplitude: &Amplitu
     let of_course = base.by == SpectrumBy::Time;
     for (i, &[x, y]) in points.iter().enumerate() {
         s.sized_all(&format!("{at}[{i}]"), &[x, y])?;
-        let least = if base.logarithmic { "above zero, both of them, of what goes along logarithms" } else { "zero or more, both of them" };
+        let least = if base.logarithmic {
+            "above zero, both of them, of what goes along logarithms"
+        } else {
+            "zero or more, both of them"
+        };
         let there = if base.logarithmic { x > 0.0 && y > 0.0 } else { x >= 0.0 && (of_course || y >= 0.0) };
         if !there {
             let repair = "a spectrum has no sign; leave out the point at zero, the curve stays as it begins";
@@ -88,7 +94,12 @@ fn check_curve(s: &Scope<'_>, at: &str, base: &SpectrumBase, amplitude: &Amplitu
     }
     ascending(s, at, points, if of_course { 2 } else { 1 })?;
     if points.iter().all(|point| point[1] == 0.0) {
-        return Err(s.value(at, "zeros", "a number above zero somewhere", "give the spectrum, or remove the base"));
+        return Err(s.value(
+            at,
+            "zeros",
+            "a number above zero somewhere",
+            "give the spectrum, or remove the base",
+        ));
     }
     Ok(())
 }
@@ -114,7 +125,8 @@ pub(super) fn check_noise(scene: &BodyInScene<'_>, wanted: &RandomVibration) -> 
     check_damping(scene, Some(wanted.damping))?;
     let loads = || scene.loads.iter().filter(|load| !load.preload && !load.of_base);
     if wanted.base.is_empty() && wanted.loads.is_none() {
-        let repair = "add [[analysis.random-vibration.base]], or [analysis.random-vibration.loads] beside [[loads]]";
+        let repair =
+            "add [[analysis.random-vibration.base]], or [analysis.random-vibration.loads] beside [[loads]]";
         let fault = s.fault(NOISE, "nothing", "noise of a base or of the loads", repair);
         return Err(SceneError::Choice(fault));
     }

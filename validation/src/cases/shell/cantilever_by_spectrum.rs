@@ -27,8 +27,11 @@ const LENGTH: f64 = 0.5;
 const WIDTH: f64 = 0.05;
 const THICKNESS: f64 = 0.005;
 /// Roots of cos λ cosh λ = −1, and `σ = (sinh λ − sin λ)/(cosh λ + cos λ)`.
-const ROOTS: [[f64; 2]; MODES] =
-    [[1.875_104_068_7, 0.734_095_513_7], [4.694_091_133_0, 1.018_467_318_8], [7.854_757_438_2, 0.999_224_496_5]];
+const ROOTS: [[f64; 2]; MODES] = [
+    [1.875_104_068_7, 0.734_095_513_7],
+    [4.694_091_133_0, 1.018_467_318_8],
+    [7.854_757_438_2, 0.999_224_496_5],
+];
 
 /// The scene, its reference, and how far the two may differ.
 pub fn case() -> Case {

@@ -38,8 +38,7 @@ const RATES: Measured = Measured(&[
 pub fn case() -> Case {
     let noise = "{ random-vibration = { modes = 12, damping.structural = 0.04, frequencies = [16.75], \
                  base = [{ acceleration = [0.0, 0.0, 1.0], density = [[5.0, 1.0], [500.0, 1.0]] }] } }";
-    let accelerated =
-        "{ name = \"a\", of = \"acceleration\", on = \"u1\", direction = [0.0, 0.0, 1.0] }";
+    let accelerated = "{ name = \"a\", of = \"acceleration\", on = \"u1\", direction = [0.0, 0.0, 1.0] }";
     let on = |grid: &str, particles: &str| {
         summed(
             Variant::scene(STATIC, SCENE, grid)
@@ -54,11 +53,7 @@ pub fn case() -> Case {
         about: "Root mean squares of the way of the end of a strip with respect to its clamp, and of its acceleration, under white noise of the clamp from 5 to 500 Hz, over \
                 three modes of bending; how often the way crosses zero.",
         citation: "[timoshenko1921], with complex moduli: the transfer functions of a clamped beam in closed form, integrated over frequency",
-        variants: vec![
-            on("41×3", "[41, 3]").quick_if(true),
-            on("81×5", "[81, 5]"),
-            on("201×5", "[201, 5]"),
-        ],
+        variants: vec![on("41×3", "[41, 3]").quick_if(true), on("81×5", "[81, 5]"), on("201×5", "[201, 5]")],
         each,
         headline: Some(Headline::new(WORST, 0.5)),
         ..Case::default()

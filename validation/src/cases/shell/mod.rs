@@ -2,8 +2,8 @@
 
 mod bracket;
 mod buckling;
-mod cantilever_end_shear;
 mod cantilever_by_spectrum;
+mod cantilever_end_shear;
 mod cantilever_in_noise;
 mod cantilever_shaken;
 mod clamped_cap;
