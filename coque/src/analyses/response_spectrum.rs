@@ -43,7 +43,7 @@ pub(super) fn response_spectrum(
         let greatest = Greatest { found: &found, source, swings: &swings, levels: &levels, ground };
         let (peaks, rest) = greatest.columns(run);
         let one = &mut summary.bases[number];
-        let (size, columns) = (source.shakes.map_or(1.0, |(size, _)| size), rest.len());
+        let (size, columns) = (source.shakes.as_ref().map_or(1.0, |shaking| shaking.size), rest.len());
         for (n, mode) in one.modes.iter_mut().enumerate() {
             mode.acceleration = Some(size * levels[n]);
             mode.columns = (0..columns).map(|c| peaks[c][n]).collect();

@@ -35,8 +35,45 @@ pub(super) struct Source {
     pub driver: Driver,
     /// Along that shape; none where nothing is left out.
     pub rest: Option<Slopes>,
-    /// Size and direction of the acceleration that level one is; none of loads.
-    pub shakes: Option<(f64, [f64; 3])>,
+    /// The acceleration that level one is; none of loads.
+    pub shakes: Option<Shaking>,
+}
+
+/// A base that shakes.
+pub(super) struct Shaking {
+    /// Size of its acceleration \[L/T²\].
+    pub size: f64,
+    /// Where it goes.
+    pub direction: [f64; 3],
+    /// Mass that moves against it, `−p·r/size` of its load p and a unit r of its motion \[M\].
+    mass: f64,
+    /// Of each mode `φᵀMr`.
+    along: Vec<f64>,
+}
+
+impl Shaking {
+    /// By the rigid motion of a body that tells it. Others have the load `p = −Mr`, of which `−M⁻¹p` is the motion; that of a shell is lumped otherwise than
+    /// its masses in modes are.
+    fn of(vector: &Vec3, system: &mut dyn StaticBody, reduced: &ReducedResponse, modes: &[Mode]) -> Self {
+        let (size, direction) = (vector.norm(), vector.normalize());
+        let mut load = vec![0.0; system.unknowns()];
+        system.load_rate(0.0, &mut load);
+        let Some(rigid) = system.rigid_motions() else {
+            let along = reduced.loads().take(modes.len()).map(|load| -load / size).collect();
+            return Self {
+                size,
+                direction: direction.into(),
+                mass: reduced.carried() / (size * size),
+                along,
+            };
+        };
+        let unit: Vec<f64> =
+            rigid.iter().map(|[x, y, z, ..]| x * direction.x + y * direction.y + z * direction.z).collect();
+        let mass = load.iter().zip(&unit).map(|(p, r)| -p * r).sum::<f64>() / size;
+        let moved: Vec<f64> = reduced.masses().iter().zip(&unit).map(|(m, r)| m * r).collect();
+        let along = |mode: &Mode| mode.shape.iter().zip(&moved).map(|(x, m)| x * m).sum();
+        Self { size, direction: direction.into(), mass, along: modes.iter().map(along).collect() }
+    }
 }
 
 /// What is sought.
@@ -84,7 +121,7 @@ impl ShakenModes {
             let vector = Vec3::from(acceleration);
             source.driver.base = vector;
             source.driver.acceleration_in_space = true;
-            source.shakes = Some((vector.norm(), vector.normalize().into()));
+            source.shakes = Some(Shaking::of(&vector, body.as_mut(), &source.reduced, &modes));
             all.sources.push(source);
         }
         if wanted.loads {
@@ -126,14 +163,15 @@ impl ShakenModes {
         let count = self.natural.len();
         let mut all = Vec::new();
         for (number, source) in self.sources.iter().enumerate() {
-            let Some((size, direction)) = source.shakes else { continue };
-            let one = |load: f64| {
+            let Some(Shaking { size, direction, mass, along }) = &source.shakes else { continue };
+            let one = |(load, along): (f64, &f64)| {
                 let participation = -load / size;
-                let effective_mass = participation * participation;
+                let effective_mass = participation * along;
                 ExcitedMode { participation, effective_mass, acceleration: None, columns: Vec::new() }
             };
-            let modes: Vec<ExcitedMode> = source.reduced.loads().take(count).map(one).collect();
-            let mass = source.reduced.carried() / (size * size);
+            let loads = source.reduced.loads().take(count);
+            let modes: Vec<ExcitedMode> = loads.zip(along).map(one).collect();
+            let (mass, direction) = (*mass, *direction);
             let moved: f64 = modes.iter().map(|mode| mode.effective_mass).sum();
             // Where all is held along a base nothing moves, and nothing is missing.
             let share = if mass > 0.0 { moved / mass } else { 1.0 };

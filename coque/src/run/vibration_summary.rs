@@ -79,7 +79,7 @@ pub struct BaseSummary {
 pub struct ExcitedMode {
     /// Participation factor of the shape of mass one, Γ = φᵀMr \[√(F T²/L)\].
     pub participation: f64,
-    /// Effective mass, Γ² \[F T²/L\].
+    /// Effective mass, Γ² but for how a shell lumps its masses; those of all modes are the mass that moves \[F T²/L\].
     pub effective_mass: f64,
     /// What the spectrum says of it, an acceleration \[L/T²\]; none of noise.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -58,8 +58,13 @@ fn parts_under_a_flat_spectrum_make_the_whole() {
         let base = &outcome.summary.vibration.as_ref().unwrap().bases[0];
         let all = modes == ALL;
         assert!(all == ((base.share - 1.0).abs() < 1e-9) && base.share < 1.0 + 1e-9, "{}", base.share);
-        let sum: f64 = base.modes.iter().map(|mode| mode.participation.powi(2)).sum();
+        let sum: f64 = base.modes.iter().map(|mode| mode.effective_mass).sum();
         assert!((sum / base.mass / base.share - 1.0).abs() < 1e-12);
+        // A quarter of the spacing of the plate is held: half of a cell of four.
+        assert!((base.mass / MASS - 0.875).abs() < 1e-9, "{}", base.mass / MASS);
+        // Of unlike lumps of a coarse plate: 4 % here.
+        let first = &base.modes[0];
+        assert!((first.effective_mass / first.participation.powi(2) - 1.0).abs() < 0.12);
     }
 }
 
