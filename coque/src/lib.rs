@@ -212,6 +212,7 @@ pub use run::over_time::OverTime;
 pub use run::progress::{Progress, ProgressReport, Silent};
 pub use run::record::{BalanceSummary, CountSummary, CriticalSummary, Energies, LevelSummary, RunRecord};
 pub use run::summary::Summary;
+pub use run::vibration_summary::{BaseSummary, ExcitedMode, NoiseSummary, SwingingMode, VibrationSummary};
 pub use scene::catalogue::{CatalogueEntry, catalogue};
 pub use scene::error::{Fault, Place, SceneError};
 pub use scene::reference::reference_page;

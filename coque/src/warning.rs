@@ -22,6 +22,8 @@ pub enum WarningKind {
     CoarseFrequencies,
     /// A steady vibration in modes up to frequencies where those left out count.
     TruncatedModes,
+    /// Modes softer, or of another damping, than the response spectrum goes.
+    BeyondSpectrum,
     /// A buckling level that hangs on the change of shape before buckling.
     ChangedShape,
     /// The formulation conserves neither momentum nor energy.
@@ -164,6 +166,7 @@ impl WarningKind {
             Self::Undamped => "undamped",
             Self::CoarseFrequencies => "coarse-frequencies",
             Self::TruncatedModes => "truncated-modes",
+            Self::BeyondSpectrum => "beyond-spectrum",
             Self::ChangedShape => "changed-shape",
             Self::StrongForm => "strong-form",
             Self::NodalLocking => "nodal-locking",
@@ -265,6 +268,7 @@ mod tests {
             WarningKind::Undamped,
             WarningKind::CoarseFrequencies,
             WarningKind::TruncatedModes,
+            WarningKind::BeyondSpectrum,
             WarningKind::StrongForm,
             WarningKind::NodalLocking,
             WarningKind::PatternModes,

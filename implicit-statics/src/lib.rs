@@ -15,6 +15,8 @@
 //! | find equilibrium without a factor of the tangent, at a level or at many | [`relax`], [`Relaxation`] |
 //! | solve several systems together, with what they do to each other | [`Several`], over [`Joinable`] and [`Interaction`] |
 //! | know frequencies | [`natural_modes`] |
+//! | combine greatest answers of modes by a response spectrum | [`ResponseSpectrum`], [`ModesTogether`] |
+//! | integrate answers to noise over frequency | [`PowerDensity`], [`noise_frequencies`] |
 //! | estimate buckling loads | [`linear_buckling`] |
 //!
 //! A spring that softens, `q − q³ = λ`, has its limit point at q = 1/√3:
@@ -252,6 +254,8 @@
 //! | directly and in all modes the same; few modes and the vector c are right far below the last mode | `all_modes_and_the_direct_answer_agree`, `few_modes_are_exact_at_rest_and_near_it` |
 //! | what the loads bring in damping takes; force here and way there can be exchanged | `what_comes_in_is_taken`, `force_and_way_can_be_exchanged` |
 //! | without damping pivots count what lies below, and resonance is refused | `without_damping_pivots_count_and_resonance_is_refused` |
+//! | modes go together as the closed form has it; an oscillator overshoots a step, as it has | `modes_go_together_as_noise_lets_them`, `an_oscillator_overshoots_a_step_as_its_closed_form_says` (response_spectrum) |
+//! | one degree of freedom under white noise is its closed form | `one_degree_under_white_noise_is_its_closed_form` (noise) |
 //! | terms beside the pattern are damped as the pattern is | `terms_beside_the_pattern_are_damped_alike` |
 //! | a search for modes ends when asked | `a_search_is_ended_from_outside` |
 
@@ -278,6 +282,7 @@ mod inertia;
 mod iterative;
 mod modal;
 mod newton;
+mod noise;
 mod one_solve;
 mod options;
 mod ordering;
@@ -285,6 +290,7 @@ mod path;
 mod pattern;
 mod rank_one;
 mod relaxation;
+mod response_spectrum;
 mod several;
 mod solver;
 mod stepper;
@@ -310,6 +316,7 @@ pub use inertia::Inertia;
 pub use iterative::{ConjugateOptions, Iterated, conjugate_response};
 pub use modal::{Mode, lowest_modes, natural_modes};
 pub use newton::{Converged, Increment, Newton, linear_response};
+pub use noise::{PowerDensity, noise_frequencies};
 pub use one_solve::OneSolve;
 pub use options::{
     Branches, Control, CriticalOptions, Damping, NewtonOptions, PathOptions, RelaxationOptions,
@@ -317,6 +324,10 @@ pub use options::{
 pub use path::{CriticalKind, CriticalPoint, End, Passage, Passed, Path, Point, Start};
 pub use rank_one::RankOne;
 pub use relaxation::{Relaxation, RelaxationMemory, Relaxed, Relaxing, SnapEnergy, relax};
+pub use response_spectrum::{
+    Combination, DirectionRule, ModesTogether, ResponseSpectrum, SpectralValue, SpectrumBy, correlation,
+    pseudo_acceleration,
+};
 pub use several::{Interaction, Joinable, Several};
 pub use solver::SymmetricSolver;
 pub use vectors::sign_of_greatest;

@@ -23,8 +23,10 @@ if TYPE_CHECKING:
     Analysis_5 = TypedDict("Analysis_5", {"relaxation": "Relaxation"})
     Analysis_6 = TypedDict("Analysis_6", {"modal": "Modal"})
     Analysis_7 = TypedDict("Analysis_7", {"harmonic": "Harmonic"})
-    Analysis_8 = TypedDict("Analysis_8", {"buckling": "Buckling"})
-    Analysis: TypeAlias = Union["Analysis_1", "Analysis_2", "Analysis_3", "Analysis_4", "Analysis_5", "Analysis_6", "Analysis_7", "Analysis_8"]
+    Analysis_8 = TypedDict("Analysis_8", {"response-spectrum": "SpectrumAnalysis"})
+    Analysis_9 = TypedDict("Analysis_9", {"random-vibration": "RandomVibration"})
+    Analysis_10 = TypedDict("Analysis_10", {"buckling": "Buckling"})
+    Analysis: TypeAlias = Union["Analysis_1", "Analysis_2", "Analysis_3", "Analysis_4", "Analysis_5", "Analysis_6", "Analysis_7", "Analysis_8", "Analysis_9", "Analysis_10"]
     Anisotropy = TypedDict("Anisotropy", {"axis": Sequence[Union[float, str]], "r0": Union[float, str], "r45": Union[float, str], "r90": Union[float, str]})
     Annulus = TypedDict("Annulus", {"centre": Sequence[Union[float, str]], "inner": Union[float, str], "outer": Union[float, str], "spacing": Union[float, str]})
     Arc = TypedDict("Arc", {"angles": Sequence[Union[float, str]], "cells": Sequence[Union[int, str]], "length": Union[float, str], "radius": Union[float, str], "thickness": Union[float, str]})
@@ -51,6 +53,7 @@ if TYPE_CHECKING:
     Coat = TypedDict("Coat", {"thickness": Union[float, str], "young": Union[float, str]})
     ColumnOfFile: TypeAlias = Union[str, int]
     Combination = TypedDict("Combination", {"name": str, "of": Mapping[str, Union[float, str]]})
+    Combination2: TypeAlias = Union[Literal['cqc'], Literal['srss'], Literal['absolute']]
     Contact = TypedDict("Contact", {"distance": NotRequired[Union[float, str]], "walls": NotRequired[Sequence["Wall"]]})
     ContactScene = TypedDict("ContactScene", {"between": NotRequired[Sequence[str]], "friction": NotRequired[Union[float, str]], "rounding": NotRequired[Union[float, str]], "stiffness": NotRequired[Union[float, str]]})
     Correction: TypeAlias = Union[Literal['none'], Literal['even'], Literal['balanced'], Literal['energy-factor']]
@@ -67,9 +70,11 @@ if TYPE_CHECKING:
     CutOut_4 = TypedDict("CutOut_4", {"polygon": "Polygon"})
     CutOut: TypeAlias = Union["CutOut_1", "CutOut_2", "CutOut_3", "CutOut_4"]
     Cylinder = TypedDict("Cylinder", {"angles": Sequence[Union[float, str]], "disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[Union[float, str]]], "length": Union[float, str], "particles": NotRequired[Sequence[Union[int, str]]], "radius": Union[float, str], "scattered": NotRequired["Scattered"]})
+    DampedSpectrum = TypedDict("DampedSpectrum", {"amplitude": "Amplitude", "ratio": Union[float, str]})
     Damping_1 = TypedDict("Damping_1", {"ratio": Union[float, str]})
     Damping: TypeAlias = Union["Damping_1", Literal['kinetic']]
     Diaphragm = TypedDict("Diaphragm", {"axis": Sequence[Union[float, str]], "whole-section": NotRequired[bool]})
+    DirectionRule: TypeAlias = Union[Literal['srss'], Literal['hundred-thirty'], Literal['absolute']]
     Disc = TypedDict("Disc", {"centre": Sequence[Union[float, str]], "radius": Union[float, str], "spacing": Union[float, str]})
     Disorder = TypedDict("Disorder", {"fraction": Union[float, str], "seed": Union[int, str]})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]
@@ -157,7 +162,7 @@ if TYPE_CHECKING:
     Material_5 = TypedDict("Material_5", {"smeared": "Smeared"})
     Material_6 = TypedDict("Material_6", {"file": "OfFile"})
     Material: TypeAlias = Union["Material_1", "Material_2", "Material_3", "Material_4", "Material_5", "Material_6"]
-    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['contact-moment'], Literal['contact-gap'], Literal['greatest-depth'], Literal['touching-area'], Literal['glue-force'], Literal['glue-gap'], Literal['friction-loss'], Literal['plastic-strain'], Literal['thickness'], Literal['plastic-work'], Literal['enclosed-pressure'], Literal['enclosed-volume'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['max-principal'], Literal['min-principal'], Literal['tresca'], Literal['principal-angle'], Literal['ply-stress'], Literal['reserve-factor'], Literal['failure-index'], Literal['section-force'], Literal['section-moment'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
+    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['contact-moment'], Literal['contact-gap'], Literal['greatest-depth'], Literal['touching-area'], Literal['glue-force'], Literal['glue-gap'], Literal['friction-loss'], Literal['plastic-strain'], Literal['thickness'], Literal['plastic-work'], Literal['enclosed-pressure'], Literal['enclosed-volume'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['acceleration'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['max-principal'], Literal['min-principal'], Literal['tresca'], Literal['principal-angle'], Literal['ply-stress'], Literal['reserve-factor'], Literal['failure-index'], Literal['section-force'], Literal['section-moment'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
     Mesh = TypedDict("Mesh", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[Union[float, str]]})
     Modal = TypedDict("Modal", {"modes": Union[int, str]})
     MooneyRivlin = TypedDict("MooneyRivlin", {"c1": Union[float, str], "c2": Union[float, str]})
@@ -168,6 +173,8 @@ if TYPE_CHECKING:
     Nodal = TypedDict("Nodal", {"consistent": NotRequired[bool], "curvature": NotRequired[Literal['stretch-corrected', 'green-lagrange', 'logarithmic']], "kernel": NotRequired[Literal['cubic-spline', 'wendland-c2', 'wendland-c4', 'quintic-spline']], "order": NotRequired[Union[int, str]], "smoothing": NotRequired[Union[float, str]]})
     NodeDisorder = TypedDict("NodeDisorder", {"fraction": Union[float, str], "seed": Union[int, str]})
     NodePlaces: TypeAlias = Union[Literal['centres'], Literal['edges']]
+    NoisyBase = TypedDict("NoisyBase", {"acceleration": Sequence[Union[float, str]], "density": Sequence[Sequence[Union[float, str]]]})
+    NoisyLoads = TypedDict("NoisyLoads", {"density": Sequence[Sequence[Union[float, str]]]})
     Obstacle = TypedDict("Obstacle", {"lengths": Sequence[Union[float, str]], "origin": NotRequired[Sequence[Union[float, str]]]})
     OfFile: TypeAlias = Mapping[str, Any]
     OnPlane = TypedDict("OnPlane", {"normal": Sequence[Union[float, str]], "point": Sequence[Union[float, str]], "within": NotRequired[Union[float, str]]})
@@ -191,6 +198,7 @@ if TYPE_CHECKING:
     Pressure = TypedDict("Pressure", {"follower": NotRequired[bool], "value": NotRequired[Union[float, str]], "values": NotRequired[str]})
     Probe = TypedDict("Probe", {"about": NotRequired[Sequence[Union[float, str]]], "at": NotRequired[Sequence[Union[float, str]]], "component": NotRequired["PlyComponent"], "criterion": NotRequired["Criterion"], "direction": NotRequired[Sequence[Union[float, str]]], "face": NotRequired["ShellFace"], "factor": NotRequired[Union[float, str]], "name": str, "of": "Measured", "on": Union[str, Sequence[str]], "ply": NotRequired[Union[int, str]], "recovered": NotRequired[bool], "take": NotRequired["Take"], "through": NotRequired["Through"], "unit": NotRequired[str]})
     QuasiStatic = TypedDict("QuasiStatic", {"accuracy": NotRequired[Union[float, str]], "damping": NotRequired["Damping"], "hold": NotRequired[Union[float, str]], "levels": "Levels", "period": NotRequired[Union[float, str]], "ramp": NotRequired[Union[float, str]], "stability": NotRequired[bool], "tolerance": NotRequired[Union[float, str]]})
+    RandomVibration = TypedDict("RandomVibration", {"base": NotRequired[Sequence["NoisyBase"]], "damping": "VibrationDamping", "frequencies": "Frequencies", "loads": NotRequired["NoisyLoads"], "modes": Union[int, str]})
     Rate_1 = TypedDict("Rate_1", {"cowper-symonds": "CowperSymonds"})
     Rate_2 = TypedDict("Rate_2", {"johnson-cook": "JohnsonCook"})
     Rate: TypeAlias = Union["Rate_1", "Rate_2"]
@@ -239,6 +247,9 @@ if TYPE_CHECKING:
     SolidMaterial_3 = TypedDict("SolidMaterial_3", {"plastic": "Plastic"})
     SolidMaterial: TypeAlias = Union["SolidMaterial_1", "SolidMaterial_2", "SolidMaterial_3"]
     SolidScene = TypedDict("SolidScene", {"contact": NotRequired["Contact"], "cracks": NotRequired[Sequence["Crack"]], "formulation": "SolidFormulation", "fracture": NotRequired["Fracture"], "geometry": "SolidGeometry", "imperfection": NotRequired["Imperfection"], "material": "SolidMaterial", "tools": NotRequired[Sequence["ToolScene"]], "unbreakable": NotRequired[Sequence[str]], "velocity": NotRequired["Velocity"]})
+    SpectrumAnalysis = TypedDict("SpectrumAnalysis", {"base": Sequence["SpectrumBase"], "combination": NotRequired["Combination2"], "damping": "VibrationDamping", "directions": NotRequired["DirectionRule"], "missing_mass": NotRequired[bool], "modes": Union[int, str]})
+    SpectrumBase = TypedDict("SpectrumBase", {"acceleration": Sequence[Union[float, str]], "amplitude": NotRequired["Amplitude"], "by": "SpectrumBy", "damped": NotRequired[Sequence["DampedSpectrum"]], "logarithmic": NotRequired[bool]})
+    SpectrumBy: TypeAlias = Union[Literal['period'], Literal['frequency'], Literal['time']]
     Sphere = TypedDict("Sphere", {"azimuth": Sequence[Union[float, str]], "disorder": NotRequired["Disorder"], "grading": NotRequired[Sequence[Union[float, str]]], "particles": NotRequired[Sequence[Union[int, str]]], "polar": Sequence[Union[float, str]], "radius": Union[float, str], "scattered": NotRequired["Scattered"]})
     Spin = TypedDict("Spin", {"axis": Sequence[Union[float, str]], "point": NotRequired[Sequence[Union[float, str]]], "rate": Union[float, str]})
     Spring = TypedDict("Spring", {"axis": NotRequired[Sequence[Union[float, str]]], "direction": NotRequired[Sequence[Union[float, str]]], "stiffness": Union[float, str], "to": NotRequired[Union[str, Sequence[str]]]})

@@ -34,7 +34,10 @@ pub(super) fn key(analysis: &Analysis, curves: &[&Curve]) -> Result<Key, String>
     Ok(match analysis {
         Analysis::Linear(_) => Key::Only,
         Analysis::Modal(_) | Analysis::Buckling(_) => Key::Shape,
-        Analysis::Harmonic(_) => named("frequency").map_or(Key::Only, Key::Column),
+        Analysis::ResponseSpectrum(_) => named("base").map_or(Key::Only, Key::Column),
+        Analysis::Harmonic(_) | Analysis::RandomVibration(_) => {
+            named("frequency").map_or(Key::Only, Key::Column)
+        }
         Analysis::ArcLength(_) => {
             let always = analysis.kind().columns;
             let grows = |&at: &usize| curves.iter().all(|curve| is_monotone(curve, at));

@@ -10,12 +10,12 @@ use super::one_solve::OneSolveLevels;
 use super::path::{Levels, arc_length};
 use super::relaxation::RelaxedLevels;
 use super::started::StartedLevels;
-use super::{harmonic, linear, modes};
+use super::{harmonic, linear, modes, random_vibration, response_spectrum};
 use crate::bodies::{Ready, TangentCost};
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::{Ended, Failure};
-use crate::scene::{Analysis, ArcLength, Buckling, Harmonic, Linear, Modal};
+use crate::scene::{Analysis, ArcLength, Buckling, Checked, Harmonic, Linear, Modal};
 
 /// An analysis under way.
 pub(super) enum Course {
@@ -33,6 +33,10 @@ pub(super) enum Course {
     ArcLength(ArcLength),
     Modal(Modal),
     Harmonic(Harmonic),
+    /// By response spectra or noise: of a scene whose bases shake it one by one, on so many threads.
+    Shaken(Box<Checked>, usize),
+    /// The same without a scene.
+    Unshaken,
     Buckling(Buckling),
 }
 
@@ -59,6 +63,8 @@ impl Course {
             Analysis::ArcLength(wanted) => Self::ArcLength(wanted.clone()),
             Analysis::Modal(wanted) => Self::Modal(*wanted),
             Analysis::Harmonic(wanted) => Self::Harmonic(wanted.clone()),
+            // A body of no scene has no bases that shake it.
+            Analysis::ResponseSpectrum(_) | Analysis::RandomVibration(_) => Self::Unshaken,
             Analysis::Buckling(wanted) => Self::Buckling(*wanted),
         }
     }
@@ -89,6 +95,16 @@ impl Course {
             (Self::Harmonic(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(harmonic::harmonic(wanted, body.as_mut(), run))
             }
+            (Self::Shaken(scene, threads), Ready::Static(body)) => ControlFlow::Break(match analysis {
+                Analysis::ResponseSpectrum(wanted) => {
+                    response_spectrum::response_spectrum(scene, wanted, *threads, body.as_mut(), run)
+                }
+                Analysis::RandomVibration(wanted) => {
+                    random_vibration::random_vibration(scene, wanted, *threads, body.as_mut(), run)
+                }
+                _ => Ended::Done,
+            }),
+            (Self::Unshaken, Ready::Static(_)) => refused(analysis, "the scene of its body"),
             (Self::Buckling(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(modes::buckling(wanted, body.as_mut(), run))
             }
@@ -119,6 +135,8 @@ impl Course {
             | Self::ArcLength(_)
             | Self::Modal(_)
             | Self::Harmonic(_)
+            | Self::Shaken(..)
+            | Self::Unshaken
             | Self::Buckling(_) => 0.0,
         };
         Instant { time: 0.0, level }

@@ -71,7 +71,14 @@ fn of_balance(analysis: &Analysis, cases: usize, body: &mut dyn StaticBody, byte
             return Work::of_buckling(wanted.modes.get(), sides).estimate(body, bytes);
         }
         Analysis::Harmonic(Harmonic { modes: Some(modes), .. }) => {
-            return Work::of_shapes(modes.get()).estimate(body, bytes);
+            return Work::of_bases(modes.get(), 1).estimate(body, bytes);
+        }
+        Analysis::ResponseSpectrum(wanted) => {
+            return Work::of_bases(wanted.modes.get(), wanted.base.len()).estimate(body, bytes);
+        }
+        Analysis::RandomVibration(wanted) => {
+            let sources = wanted.base.len() + usize::from(wanted.loads.is_some());
+            return Work::of_bases(wanted.modes.get(), sources).estimate(body, bytes);
         }
         Analysis::Harmonic(wanted) => {
             let count = wanted.frequencies.list().len() as f64;
@@ -121,13 +128,14 @@ impl Work {
         }
     }
 
-    /// Modes, and the shape that stands for all others.
-    fn of_shapes(modes: usize) -> Self {
+    /// Modes, and the shape that stands for all others under each of so many loads.
+    fn of_bases(modes: usize, loads: usize) -> Self {
         let Self { tangents, factorisations, solves } = Self::of_vibration(modes);
+        let more = loads as f64;
         Self {
-            tangents: tangents.map(|count| count + 1.0),
-            factorisations: factorisations.map(|count| count + 1.0),
-            solves: solves.map(|count| count + 1.0),
+            tangents: tangents.map(|count| count + more),
+            factorisations: factorisations.map(|count| count + more),
+            solves: solves.map(|count| count + more),
         }
     }
 

@@ -1,7 +1,6 @@
 //! Steady vibration: amplitudes and phases at given frequencies, directly or in modes, about the unloaded or the preloaded body.
 
-mod reader;
-mod warnings;
+pub(super) mod warnings;
 
 use std::f64::consts::TAU;
 
@@ -9,20 +8,22 @@ use implicit_statics::{
     Complex, CycleEnergies, DirectResponse, EquilibriumError, HarmonicMotion, ReducedResponse,
 };
 
-use self::reader::{Reader, Slopes};
-use self::warnings::{Warnings, unstable};
+use sph_core::Vec3;
+
+use self::warnings::{Warnings, truncated, unstable};
 use super::modes::{Vibration, keep, vibration};
+use super::swinging::{Driver, Reader, Slopes};
 use crate::bodies::StaticBody;
 use crate::run::Run;
 use crate::run::outcome::Ended;
-use crate::scene::Harmonic;
+use crate::scene::{BaseResponse, Harmonic, ShakenBase};
 
 /// Finds the steady answer at each frequency and reads a row of the curve.
 pub(crate) fn harmonic(wanted: &Harmonic, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
     if run.tell(0.0, 0, 0.0, 0.0).is_break() {
         return interrupted(0.0);
     }
-    let mut reader = Reader::new(wanted.base, system, run);
+    let mut reader = Swing::new(wanted.base, system, run);
     let way = match wanted.modes {
         Some(count) => in_modes(count.get(), wanted, &mut reader, system, run),
         None => directly(wanted, system, run).map_err(|cause| Box::new(run.unbalanced(0, 0.0, cause))),
@@ -67,11 +68,30 @@ pub(crate) fn harmonic(wanted: &Harmonic, system: &mut dyn StaticBody, run: &mut
     let circular: Vec<f64> = frequencies.iter().map(|frequency| TAU * frequency).collect();
     Warnings { frequencies: &circular, damping: wanted.damped(), natural: natural.as_deref(), below: &below }
         .say(run);
+    truncated(circular.last().copied(), natural.as_deref(), run);
     Ended::Done
 }
 
 fn interrupted(level: f64) -> Ended {
     Ended::Interrupted { time: 0.0, level }
+}
+
+/// What reads columns, and what drives.
+struct Swing {
+    of: Reader,
+    driver: Driver,
+}
+
+impl Swing {
+    fn new(base: Option<ShakenBase>, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Self {
+        let of = Reader::new(system, run, false);
+        let mut driver = of.driver(system, run);
+        if let Some(ShakenBase { acceleration, response: BaseResponse::Absolute }) = base {
+            driver.base = Vec3::from(acceleration);
+            (driver.motion_in_space, driver.acceleration_in_space) = (true, true);
+        }
+        Self { of, driver }
+    }
 }
 
 /// How an answer is found.
@@ -98,23 +118,33 @@ impl Way {
     fn at(
         &mut self,
         omega: f64,
-        reader: &mut Reader,
+        reader: &mut Swing,
         system: &mut dyn StaticBody,
         run: &mut Run<'_>,
     ) -> Result<Found, EquilibriumError> {
         match self {
             Self::Direct(direct) => {
                 let motion = direct.at(omega)?;
-                let along = [&motion.real, &motion.imaginary].map(|part| reader.slopes(part, system, run));
+                let along = [&motion.real, &motion.imaginary].map(|part| reader.of.slopes(part, system, run));
                 let kappa = direct.kappa(omega);
                 let parts = along.iter().zip([Complex::new(1.0, 0.0), Complex::new(0.0, 1.0)]);
-                let values = reader.values(parts.map(|(slopes, unit)| (slopes, unit, kappa)), omega, run);
+                let values = reader.of.values(
+                    &reader.driver,
+                    parts.map(|(slopes, unit)| (slopes, unit, kappa)),
+                    omega,
+                    run,
+                );
                 Ok(Found { energies: direct.energies(&motion, omega), values, motion })
             }
             Self::Modes(InModes { reduced, slopes, .. }) => {
                 let coordinates = reduced.at(omega)?;
                 let parts = slopes.iter().zip(coordinates.iter().zip(reduced.kappas(omega)));
-                let values = reader.values(parts.map(|(slopes, (&z, kappa))| (slopes, z, kappa)), omega, run);
+                let values = reader.of.values(
+                    &reader.driver,
+                    parts.map(|(slopes, (&z, kappa))| (slopes, z, kappa)),
+                    omega,
+                    run,
+                );
                 let (energies, motion) =
                     (reduced.energies(&coordinates, omega), reduced.motion(&coordinates));
                 Ok(Found { energies, values, motion })
@@ -144,7 +174,7 @@ impl Way {
 fn in_modes(
     count: usize,
     wanted: &Harmonic,
-    reader: &mut Reader,
+    reader: &mut Swing,
     system: &mut dyn StaticBody,
     run: &mut Run<'_>,
 ) -> Result<Way, Box<Ended>> {
@@ -153,7 +183,7 @@ fn in_modes(
     let natural = modes.iter().map(|mode| mode.circular_frequency()).collect();
     let reduced = ReducedResponse::new(system, 0.0, modes, shift, wanted.damped())
         .map_err(|cause| Box::new(run.unbalanced(0, 0.0, cause)))?;
-    let slopes = reduced.shapes().map(|shape| reader.slopes(shape, system, run)).collect();
+    let slopes = reduced.shapes().map(|shape| reader.of.slopes(shape, system, run)).collect();
     Ok(Way::Modes(InModes { reduced, slopes, natural }))
 }
 

@@ -14,10 +14,14 @@ mod modes;
 mod one_solve;
 mod path;
 mod preload;
+mod random_vibration;
 mod relaxation;
+mod response_spectrum;
+mod shaken_modes;
 mod simulation;
 mod stability;
 mod started;
+mod swinging;
 
 pub use estimate::Estimate;
 pub use simulation::{Event, Simulation};
@@ -38,7 +42,7 @@ use crate::run::progress::Progress;
 use crate::run::record::RunRecord;
 use crate::run::summary::Summary;
 use crate::scene::units::Quantity;
-use crate::scene::{Analysis, BaseResponse, Damping, Harmonic};
+use crate::scene::{Analysis, BaseResponse, Damping};
 
 /// What a run is given beside its model.
 pub struct RunOptions<'a> {
@@ -91,6 +95,7 @@ impl Model {
             force_unit: self.driven.map(|_| self.task.units.symbol(Quantity::Force)),
             supports: None,
             cases: None,
+            vibration: None,
             base: BaseMotion::of(&self.task.analysis),
             frames: sink.map(|sink| Frames::new(sink, &self.task, driven, self.barred.is_some())),
             progress,
@@ -139,6 +144,7 @@ impl Model {
             analysis: task.analysis.word().into(),
             supports,
             cases,
+            vibration: None,
             over_time: Vec::new(),
             threads,
             ranks: ranks.map(|ranks| ranks.number()),
@@ -153,14 +159,27 @@ impl Model {
 
 /// Whether shapes are those that the body takes, not enlarged for the eye.
 fn true_to_scale(analysis: &Analysis) -> bool {
-    !matches!(analysis, Analysis::Linear(_) | Analysis::Harmonic(_)) && !analysis.kind().gives_modes
+    !(matches!(analysis, Analysis::Linear(_)) || analysis.swings() || analysis.kind().gives_modes)
 }
 
 /// What an analysis adds to what a body models and leaves out.
 fn with_analysis(analysis: &Analysis, tangent: TangentCost) -> (Vec<String>, Vec<String>) {
     let none = || "damping".to_string();
-    if let Analysis::Harmonic(wanted) = analysis {
-        return of_vibration(wanted);
+    match analysis {
+        Analysis::Harmonic(wanted) => {
+            return of_vibration(wanted.damped(), wanted.base.map(|base| shaken(base.response)));
+        }
+        Analysis::ResponseSpectrum(wanted) => {
+            let bases =
+                format!("acceleration of all that holds the body by {} response spectra", wanted.base.len());
+            return of_vibration(wanted.damping.damped(), Some(bases));
+        }
+        Analysis::RandomVibration(wanted) => {
+            let loads = if wanted.loads.is_some() { " and of the loads" } else { "" };
+            let bases = format!("noise of {} bases{loads}, Gaussian and steady", wanted.base.len());
+            return of_vibration(wanted.damping.damped(), Some(bases));
+        }
+        _ => {}
     }
     let Analysis::Explicit(explicit) = analysis else {
         let inertia = (!matches!(analysis, Analysis::Modal(_))).then(|| "inertia".to_string());
@@ -195,9 +214,9 @@ fn shaken(response: BaseResponse) -> String {
     format!("acceleration of all that holds the body, displacements with respect {to}")
 }
 
-/// What a steady vibration adds.
-fn of_vibration(wanted: &Harmonic) -> (Vec<String>, Vec<String>) {
-    let damping = match wanted.damped() {
+/// What a vibration adds.
+fn of_vibration(damping: HarmonicDamping, shaken: Option<String>) -> (Vec<String>, Vec<String>) {
+    let damping = match damping {
         HarmonicDamping::None => None,
         HarmonicDamping::Ratio(ratio) => Some(format!("damping of {ratio} of the critical one in each mode")),
         HarmonicDamping::Rayleigh { mass, stiffness } => Some(format!(
@@ -205,7 +224,6 @@ fn of_vibration(wanted: &Harmonic) -> (Vec<String>, Vec<String>) {
         )),
         HarmonicDamping::Structural(loss) => Some(format!("structural damping, loss factor {loss}")),
     };
-    let shaken = wanted.base.map(|base| shaken(base.response));
     let mut left_out = vec!["large displacements".to_string()];
     left_out.extend(damping.is_none().then(|| "damping".to_string()));
     (damping.into_iter().chain(shaken).collect(), left_out)

@@ -72,7 +72,7 @@ pub(crate) fn preload(
             return Err(Box::new(Ended::Diverged(Failure::Preload { points: steps, level, cause })));
         }
     }
-    if let Analysis::Modal(_) | Analysis::Harmonic(_) = analysis {
+    if matches!(analysis, Analysis::Modal(_)) || analysis.swings() {
         run.warn_of_skew_loads(system.skew_load_share());
     }
     system.end_preload();

@@ -30,7 +30,7 @@ use crate::run::over_time::OverTime;
 /// | `explicit` | a step (two where one of them shows the period), and a record of the state before one |
 /// | `static`, `relaxation` | a level found; the first has the row of the start as well |
 /// | `linear` with load cases | a case or a combination |
-/// | else `linear`, `arc-length`, `modal`, `harmonic`, `buckling` | all of it at once |
+/// | else `linear`, `arc-length`, `modal`, `harmonic`, `response-spectrum`, `random-vibration`, `buckling` | all of it at once |
 ///
 /// A preload is an event of its own. Wall time is counted from the beginning, with what the caller does in between.
 ///
@@ -123,9 +123,10 @@ impl<'a> Simulation<'a> {
         let from = from.filter(|stage| !matches!(stage, Stage::Preload));
         Self {
             preloads: from.is_none(),
-            course: match model.cases.take() {
-                Some(cases) => Course::Cases(Box::new(Cases::new(*cases, model.threads))),
-                None => Course::new(
+            course: match (model.cases.take(), model.shaken.take()) {
+                (Some(cases), _) => Course::Cases(Box::new(Cases::new(*cases, model.threads))),
+                (None, Some(scene)) => Course::Shaken(scene, model.threads),
+                (None, None) => Course::new(
                     &model.task.analysis,
                     (model.description.tangent, particles),
                     from,
@@ -269,7 +270,8 @@ impl<'a> Simulation<'a> {
         let Self { model, mut run, ended, started, .. } = self;
         let ended = ended.unwrap_or_default();
         run.contact.look(model.body.body(), [at.time, at.level], &mut run.record);
-        let Run { curve, mut shapes, latest, states, mut record, supports, cases, frames, .. } = run;
+        let Run { curve, mut shapes, latest, states, mut record, supports, cases, vibration, frames, .. } =
+            run;
         if let Ready::Static(body) = &model.body {
             record.warnings.extend(body.warnings());
         }
@@ -296,6 +298,7 @@ impl<'a> Simulation<'a> {
             OverTime::of(&curve, first)
         });
         let mut summary = model.summary(record, supports, cases, &ended);
+        summary.vibration = vibration;
         summary.over_time = over_time.unwrap_or_default();
         let states = states.unwrap_or_default();
         Outcome { curve, summary, ended, shapes, states, cells }

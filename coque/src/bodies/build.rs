@@ -23,6 +23,7 @@ impl Checked {
         let mut model = self.body_model(threads)?;
         model.contacts = ContactsOfScene::of(self, model.body.body());
         model.cases = (!self.cases().is_empty()).then(|| Box::new(self.clone()));
+        model.shaken = self.analysis.is_shaken_by_bases().then(|| Box::new(self.clone()));
         model.barred = self.error.as_ref().map(|_| Box::new(self.clone()));
         Ok(model)
     }

@@ -63,6 +63,7 @@ impl BuiltBody<Ready> {
             sets,
             barred,
             cases: None,
+            shaken: None,
             increments: Vec::new(),
             ranks: None,
             surrounding: None,

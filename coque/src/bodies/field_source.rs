@@ -16,6 +16,9 @@ pub enum State {
     Balance,
     /// A linear answer: displacements are its own, directors turned by its rotations, forces those of [`FieldRequest::forces`].
     Linear,
+    /// Greatest numbers, or root mean squares, each its own and none with a sign: displacements, and forces as of a linear answer; what would be made of several
+    /// of them is not shown.
+    Greatest,
     /// A mode, scaled for the eye: displacements show its shape, stresses and reactions have no size.
     Mode,
 }

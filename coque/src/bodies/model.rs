@@ -15,7 +15,7 @@ use crate::Warning;
 use crate::ranks::Ranks;
 use crate::results::curve::Column;
 use crate::scene::units::{Quantity, Units};
-use crate::scene::{Analysis, CASE, Checked, Explicit, Harmonic, Output, Scene, Transient, phase_of};
+use crate::scene::{Analysis, CASE, Checked, Output, Scene, phase_of};
 
 /// What is asked of a body, whatever it is made of.
 #[derive(Clone, Debug)]
@@ -38,15 +38,10 @@ impl Task {
         let mut analysis = analysis.clone();
         // What shakes a shell turns with its conditions.
         let turn = scene.as_shell().and_then(|shell| shell.orientation);
-        let shaken = match &mut analysis {
-            Analysis::Harmonic(Harmonic { base: Some(base), .. }) => Some(&mut base.acceleration),
-            Analysis::Explicit(Explicit { transient: Some(Transient { base: Some(base), .. }), .. }) => {
-                Some(&mut base.acceleration)
+        if let Some(turn) = turn {
+            for acceleration in analysis.shaken_mut() {
+                *acceleration = (turn.rotation() * Vec3::from(*acceleration)).into();
             }
-            _ => None,
-        };
-        if let (Some(acceleration), Some(turn)) = (shaken, turn) {
-            *acceleration = (turn.rotation() * Vec3::from(*acceleration)).into();
         }
         Self { title: title.clone(), units, analysis, output: output.clone() }
     }
@@ -78,6 +73,8 @@ pub struct Model {
     pub(crate) barred: Option<Box<Checked>>,
     /// Its scene, where that has load cases.
     pub(crate) cases: Option<Box<Checked>>,
+    /// Its scene, where bases shake it one by one.
+    pub(crate) shaken: Option<Box<Checked>>,
     /// Changes of the state from one level to the next, from which the levels of a static analysis start; none where each starts at the one
     /// before.
     pub(crate) increments: Vec<Vec<f64>>,
@@ -138,6 +135,7 @@ impl Model {
             contacts: ContactsOfScene::default(),
             barred: None,
             cases: None,
+            shaken: None,
             increments: Vec::new(),
             ranks: None,
             surrounding: None,
@@ -214,6 +212,7 @@ impl Model {
             "time" => Quantity::Time,
             "level" if force => Quantity::Force,
             CASE
+            | "base"
             | "level"
             | "iterations"
             | "negative_pivots"
@@ -235,6 +234,9 @@ impl Model {
         let phase = |name: &str| Column { name: phase_of(name), unit: units.symbol(Quantity::Angle) };
         let own = self.probes.iter().filter(|_| !kind.gives_modes);
         let own = own.flat_map(|probe| probe.columns(units).chain(swings.then(|| phase(&probe.name))));
+        let time = units.symbol(Quantity::Time);
+        let noisy = matches!(analysis, Analysis::RandomVibration(_));
+        let own = own.map(|column| if noisy { column.density(&time) } else { column });
         always.chain(own).collect()
     }
 }

@@ -29,6 +29,8 @@ pub(super) fn refuse_modes(scene: &Scene, dofs: usize) -> Result<(), SceneError>
     let (path, modes) = match &scene.analysis {
         Analysis::Modal(wanted) => ("analysis.modal.modes", wanted.modes),
         Analysis::Harmonic(Harmonic { modes: Some(modes), .. }) => ("analysis.harmonic.modes", *modes),
+        Analysis::ResponseSpectrum(wanted) => ("analysis.response-spectrum.modes", wanted.modes),
+        Analysis::RandomVibration(wanted) => ("analysis.random-vibration.modes", wanted.modes),
         Analysis::Buckling(wanted) => ("analysis.buckling.modes", wanted.modes),
         _ => return Ok(()),
     };

@@ -290,6 +290,9 @@ fn report(outcome: &Outcome, early: &[Warning], out: &Path, resumable: bool) -> 
             counted.number, counted.to, counted.factorisations, counted.solves
         ));
     }
+    for line in summary.vibration.iter().flat_map(|found| found.lines()) {
+        say(&line);
+    }
     for critical in &summary.record.critical {
         say(&format!("{} at {}", critical.kind, critical.place()));
     }

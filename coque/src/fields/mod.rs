@@ -173,6 +173,9 @@ impl<'a> Frames<'a> {
             Analysis::Static(_) | Analysis::Relaxation(_) => (State::Balance, Along::Level),
             Analysis::ArcLength(_) => (State::Balance, Along::Number(0)),
             Analysis::Harmonic(_) => (State::Mode, Along::Level),
+            Analysis::ResponseSpectrum(_) | Analysis::RandomVibration(_) => {
+                (State::Greatest, Along::Number(1))
+            }
             Analysis::Modal(_) | Analysis::Buckling(_) => (State::Mode, Along::Number(1)),
         };
         let every = task.output.fields.map_or(1, |fields| fields.every).max(1);

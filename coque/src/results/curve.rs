@@ -26,6 +26,16 @@ impl Column {
     pub fn title(&self) -> String {
         format!("{} [{}]", self.name, self.unit)
     }
+
+    /// Its power by frequency, times being in such a unit.
+    pub(crate) fn density(self, time: &str) -> Self {
+        let unit = match (self.unit.as_str(), time) {
+            ("-", time) => time.into(),
+            (own, "-") => format!("({own})²"),
+            (own, time) => format!("({own})² {time}"),
+        };
+        Self { unit, ..self }
+    }
 }
 
 impl Curve {

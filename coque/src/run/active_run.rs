@@ -14,6 +14,7 @@ use super::impulses::Impulses;
 use super::outcome::{Ended, Failure};
 use super::progress::{Progress, ProgressReport};
 use super::record::RunRecord;
+use super::vibration_summary::VibrationSummary;
 use crate::WarningKind;
 use crate::bodies::{Body, Configuration, Identity, PrescribedPoint, Probe, Resultant, Shape};
 use crate::fields::Frames;
@@ -44,6 +45,8 @@ pub(crate) struct Run<'a> {
     pub supports: Option<Resultant>,
     /// What was found for load cases and combinations, in a scene that has some.
     pub cases: Option<CasesSummary>,
+    /// What answers to response spectra and to noise consist of.
+    pub vibration: Option<VibrationSummary>,
     /// What the base moves by, where columns have that in them.
     pub base: Option<BaseMotion>,
     /// Looks at contact where the run records.

@@ -13,5 +13,6 @@ pub(crate) mod over_time;
 pub(crate) mod progress;
 pub(crate) mod record;
 pub(crate) mod summary;
+pub(crate) mod vibration_summary;
 
 pub(crate) use active_run::Run;

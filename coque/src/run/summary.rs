@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::cases_summary::CasesSummary;
 use super::over_time::OverTime;
 use super::record::RunRecord;
+use super::vibration_summary::VibrationSummary;
 use crate::bodies::{Description, Resultant};
 use crate::results::error_bars::Errors;
 
@@ -29,6 +30,9 @@ pub struct Summary {
     /// What was found for load cases and combinations; none in a scene without.
     #[serde(skip_serializing_if = "Option::is_none", flatten)]
     pub cases: Option<CasesSummary>,
+    /// What answers to response spectra and to noise consist of; none of other analyses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vibration: Option<VibrationSummary>,
     /// What measured columns were over the time of the run; none where it is not asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub over_time: Vec<OverTime>,

@@ -125,10 +125,9 @@ const ROWS: &[Row] = &[
     (
         &["response_spectrum", "spectrum", "random", "psd"],
         &["analysis"],
-        NotYet {
-            feature: "answers to a spectrum or to noise",
-            nearest: "[analysis.harmonic] with `base` at the frequencies of the modes, or [analysis.explicit.transient]",
-        },
+        Instead(
+            "greatest answers to a spectrum are [analysis.response-spectrum], noise is [analysis.random-vibration]",
+        ),
     ),
     (
         &["rayleigh", "stiffness_damping", "modal_damping", "structural_damping", "beta"],

@@ -7,6 +7,8 @@ use serde::Deserialize;
 
 use super::harmonic::{BaseResponse, Harmonic};
 use super::levels::Levels;
+use super::random_vibration::RandomVibration;
+use super::response_spectrum::SpectrumAnalysis;
 use super::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static};
 use crate::scene::bounded::{Missing, NotNegative, Positive, Rest, Safety};
 
@@ -28,6 +30,10 @@ pub enum Analysis {
     Modal(Modal),
     /// Steady vibration under loads that go as cos ωt.
     Harmonic(Harmonic),
+    /// Greatest answers to a ground that is known by its response spectra.
+    ResponseSpectrum(SpectrumAnalysis),
+    /// Steady vibration under noise.
+    RandomVibration(RandomVibration),
     /// Buckling levels and modes, linearised about the unloaded or the preloaded shell.
     Buckling(Buckling),
 }

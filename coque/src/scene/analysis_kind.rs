@@ -58,6 +58,12 @@ const ONE_SOLVE: &[&str] =
 const SWINGING: &[&str] =
     &["frequency", "circular_frequency", "internal", "kinetic", "external", "dissipated"];
 
+/// Columns of answers to response spectra: the number of the base, zero of all together.
+const BASES: &[&str] = &["base"];
+
+/// Columns of densities by frequency.
+const NOISY: &[&str] = &["frequency", "circular_frequency"];
+
 /// What most analyses without time are.
 const LEVELLED: AnalysisKind = AnalysisKind {
     word: "",
@@ -86,7 +92,7 @@ const MARCH: AnalysisKind = AnalysisKind {
 };
 
 /// All analyses.
-pub const ANALYSES: [AnalysisKind; 9] = [
+pub const ANALYSES: [AnalysisKind; 11] = [
     AnalysisKind { word: "explicit.quasi-static", name: "a quasi-static run", ..MARCH },
     AnalysisKind {
         word: "explicit.transient",
@@ -143,6 +149,24 @@ pub const ANALYSES: [AnalysisKind; 9] = [
         ..LEVELLED
     },
     AnalysisKind {
+        word: "response-spectrum",
+        name: "an analysis by response spectra",
+        columns: BASES,
+        wants_driver: false,
+        seeks_force: false,
+        preloads: true,
+        ..LEVELLED
+    },
+    AnalysisKind {
+        word: "random-vibration",
+        name: "an analysis of random vibration",
+        columns: NOISY,
+        wants_driver: false,
+        seeks_force: false,
+        preloads: true,
+        ..LEVELLED
+    },
+    AnalysisKind {
         word: "buckling",
         name: "a buckling analysis",
         columns: &["mode", "level", "residual"],
@@ -167,8 +191,19 @@ const WITHOUT_ITERATIONS: AnalysisKind = AnalysisKind {
 impl Analysis {
     /// The kind of the analysis.
     pub fn kind(&self) -> &'static AnalysisKind {
-        let [quasi_static, transient, linear, levels, arc_length, relaxation, modal, harmonic, buckling] =
-            &ANALYSES;
+        let [
+            quasi_static,
+            transient,
+            linear,
+            levels,
+            arc_length,
+            relaxation,
+            modal,
+            harmonic,
+            spectrum,
+            random,
+            buckling,
+        ] = &ANALYSES;
         match self {
             Self::Explicit(explicit) if explicit.quasi_static.is_some() => quasi_static,
             Self::Explicit(_) => transient,
@@ -179,6 +214,8 @@ impl Analysis {
             Self::Relaxation(_) => relaxation,
             Self::Modal(_) => modal,
             Self::Harmonic(_) => harmonic,
+            Self::ResponseSpectrum(_) => spectrum,
+            Self::RandomVibration(_) => random,
             Self::Buckling(_) => buckling,
         }
     }
@@ -188,6 +225,16 @@ impl Analysis {
         let factorised =
             !matches!(self, Self::Linear(Linear { solver: LinearSolver::ConjugateGradients, .. }));
         self.kind().columns.iter().copied().filter(move |&name| factorised || name != "negative_pivots")
+    }
+
+    /// Whether it finds vibrations of a size, steady ones or the greatest of them.
+    pub fn swings(&self) -> bool {
+        matches!(self, Self::Harmonic(_) | Self::ResponseSpectrum(_) | Self::RandomVibration(_))
+    }
+
+    /// Whether bases shake it one by one, or not at all.
+    pub(crate) fn is_shaken_by_bases(&self) -> bool {
+        matches!(self, Self::ResponseSpectrum(_) | Self::RandomVibration(_))
     }
 
     /// Key of the analysis in a scene.

@@ -137,6 +137,12 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
         "arc-length" => "until = 1",
         "modal" | "buckling" => "modes = 1",
         "harmonic" => "frequencies = [1.0], damping.structural = 0.1",
+        "response-spectrum" => {
+            "modes = 1, damping.ratio = 0.1, base = [{ acceleration = [0, 0, 1], by = 'period', amplitude = { table = [[0, 1]] } }]"
+        }
+        "random-vibration" => {
+            "modes = 1, damping.ratio = 0.1, frequencies = [1], loads = { density = [[1, 1], [2, 1]] }"
+        }
         _ => "",
     };
     let galerkin = name.ends_with("of a Galerkin solid");
@@ -165,7 +171,8 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
     let alone = table == "loads"
         || name.ends_with("stress`, nothing beside it")
         || (name.starts_with("`moved`") && !name.ends_with("beside a load"));
-    if !alone {
+    // Its answers have no sign, and loads beside it are refused.
+    if !alone && kind.word != "response-spectrum" {
         loads.push(format!("{{ on = '{loaded}', force = {{ total = [0, 0, 1] }} }}"));
     }
     let sets = match of_solid {

@@ -155,6 +155,8 @@ pub enum Measured {
     Director,
     /// Component of the velocity, in analyses in time \[L/T\].
     Velocity,
+    /// Component of the acceleration, in analyses of vibration \[L/T²\].
+    Acceleration,
     /// Share of the bonds of a node of a solid that are broken \[–\].
     Damage,
     /// Energy of the broken bonds of a node of a solid \[F L\].
@@ -253,6 +255,7 @@ impl Measured {
             Self::Rotation => "rotation",
             Self::Director => "director",
             Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
             Self::Damage => "damage",
             Self::FractureEnergy => "fracture-energy",
             Self::Pieces => "pieces",
@@ -290,6 +293,7 @@ impl Measured {
             | Self::FailureIndex => Quantity::Ratio,
             Self::TouchingArea => Quantity::Area,
             Self::Velocity => Quantity::Speed,
+            Self::Acceleration => Quantity::Acceleration,
             Self::FractureEnergy
             | Self::FrictionLoss
             | Self::PlasticWork

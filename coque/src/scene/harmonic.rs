@@ -126,11 +126,17 @@ impl Frequencies {
 impl Harmonic {
     /// The damping, as it is solved with.
     pub fn damped(&self) -> HarmonicDamping {
-        match self.damping {
-            None => HarmonicDamping::None,
-            Some(VibrationDamping::Ratio(ratio)) => HarmonicDamping::Ratio(ratio.get()),
-            Some(VibrationDamping::Structural(loss)) => HarmonicDamping::Structural(loss.get()),
-            Some(VibrationDamping::Rayleigh(RayleighDamping { mass, stiffness })) => {
+        self.damping.map_or(HarmonicDamping::None, VibrationDamping::damped)
+    }
+}
+
+impl VibrationDamping {
+    /// The same, as it is solved with.
+    pub fn damped(self) -> HarmonicDamping {
+        match self {
+            Self::Ratio(ratio) => HarmonicDamping::Ratio(ratio.get()),
+            Self::Structural(loss) => HarmonicDamping::Structural(loss.get()),
+            Self::Rayleigh(RayleighDamping { mass, stiffness }) => {
                 HarmonicDamping::Rayleigh { mass: mass.get(), stiffness: stiffness.get() }
             }
         }

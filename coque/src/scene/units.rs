@@ -99,6 +99,8 @@ pub enum Quantity {
     Rate,
     /// \[L/T\].
     Speed,
+    /// \[L/T²\].
+    Acceleration,
     /// \[1/L\].
     Curvature,
     /// \[F/L\].
@@ -141,6 +143,7 @@ impl Quantity {
             Self::Rate => format!("1/{time}"),
             Self::Energy => format!("{force} {length}"),
             Self::Speed => format!("{length}/{time}"),
+            Self::Acceleration => format!("{length}/{time}²"),
             Self::Curvature => format!("1/{length}"),
             Self::ForcePerLength => format!("{force}/{length}"),
             Self::MomentPerLength => format!("{force} {length}/{length}"),
@@ -163,6 +166,7 @@ impl Quantity {
             Self::Rate => [0, 0, -1],
             Self::Energy => [1, 1, 0],
             Self::Speed => [1, 0, -1],
+            Self::Acceleration => [1, 0, -2],
             Self::Curvature => [-1, 0, 0],
             Self::ForcePerLength => [-1, 1, 0],
             Self::Stress => [-2, 1, 0],

@@ -27,7 +27,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 59] = [
+const SCENES: [(&str, Replaced); 60] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -39,6 +39,7 @@ const SCENES: [(&str, Replaced); 59] = [
     ("tensioned-plate.toml", &[]),
     ("cantilever-shaken.toml", &SHAKEN),
     ("cantilever-shaken.toml", &SHAKEN_DIRECTLY),
+    ("cantilever-shaken.toml", &SPECTRA),
     ("deck-in-quake.toml", &QUAKE),
     ("two-span-cases.toml", &[("geometry.plate.particles", "[41, 3]")]),
     ("heated-plate.toml", &[]),
@@ -112,6 +113,18 @@ const SHAKEN_DIRECTLY: [(&str, &str); 2] = [
     (
         "analysis",
         "{ harmonic = { frequencies = [5.0, 15.0, 120.0], damping.rayleigh = { mass = 4.0, stiffness = 1e-5 }, base.acceleration = [0.1, 0.5, 1.0] } }",
+    ),
+];
+
+/// By spectra that are the same at any period, in directions of no axis.
+const SPECTRA: [(&str, &str); 3] = [
+    ("output", "{}"),
+    ("geometry.plate.particles", "[21, 3]"),
+    (
+        "analysis",
+        "{ response-spectrum = { modes = 9, damping.ratio = 0.05, base = [\
+         { acceleration = [0.1, 0.5, 1.0], by = \"period\", amplitude = { table = [[0, 1.0]] } }, \
+         { acceleration = [0.0, -2.0, 0.3], by = \"period\", amplitude = { table = [[0, 0.7]] } }] } }",
     ),
 ];
 

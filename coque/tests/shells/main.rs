@@ -34,6 +34,8 @@ mod rigid;
 mod scattered;
 mod section_forces;
 mod sections;
+mod spectra;
+mod spectra_words;
 mod stability;
 mod statics;
 mod stress_fields;

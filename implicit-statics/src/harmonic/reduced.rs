@@ -26,6 +26,7 @@ pub struct ReducedResponse {
     masses: Vec<f64>,
     damping: HarmonicDamping,
     left_out: f64,
+    carried: f64,
 }
 
 /// A shape with what stiffness, mass and load are along it.
@@ -97,7 +98,32 @@ impl ReducedResponse {
         if left_out > LEFT_OUT && own.stiffness > 0.0 {
             shapes.push(own);
         }
-        Ok(Self { shapes, masses, damping, left_out: left_out.max(0.0) })
+        let carried = load.iter().zip(&masses).filter(|(_, m)| **m > 0.0).map(|(p, m)| p * p / m).sum();
+        Ok(Self { shapes, masses, damping, left_out: left_out.max(0.0), carried })
+    }
+
+    /// `pᵀM⁻¹p`, which is `Σ (φᵀp)²` over all modes: of the load of a base that is accelerated by one the mass that moves against it \[M\].
+    pub fn carried(&self) -> f64 {
+        self.carried
+    }
+
+    /// Loads of the shapes, φᵀp: of a base that is accelerated by one the participation factors of the modes with their signs turned, as their shapes have a
+    /// mass of one.
+    pub fn loads(&self) -> impl Iterator<Item = f64> {
+        self.shapes.iter().map(|shape| shape.load)
+    }
+
+    /// Circular frequency \[1/T\] and part of the critical damping \[–\] of each shape; zeros of one that is not stable.
+    pub fn swings(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.shapes.iter().map(|shape| {
+            let omega = (shape.stiffness.max(0.0) / shape.mass).sqrt();
+            if omega > 0.0 { [omega, self.damping.ratio(omega)] } else { [0.0; 2] }
+        })
+    }
+
+    /// Coordinates of the shapes at rest under the load; zero of one that is not stable.
+    pub fn at_rest(&self) -> impl Iterator<Item = f64> {
+        self.shapes.iter().map(|own| if own.stiffness > 0.0 { own.load / own.stiffness } else { 0.0 })
     }
 
     /// Part of the static work of the load that the modes leave out \[–\], which the further shape answers for.

@@ -13,7 +13,7 @@ const MISSED: f64 = 0.05;
 const COVERED: f64 = 0.7;
 
 /// Frequencies that were asked for, and what is known of the body.
-pub(super) struct Warnings<'a> {
+pub(in crate::analyses) struct Warnings<'a> {
     /// Circular frequencies \[1/T\], in order.
     pub frequencies: &'a [f64],
     pub damping: HarmonicDamping,
@@ -24,13 +24,28 @@ pub(super) struct Warnings<'a> {
 }
 
 /// Warns of a state that would leave its place.
-pub(super) fn unstable(negative: usize, run: &mut Run<'_>) {
+pub(in crate::analyses) fn unstable(negative: usize, run: &mut Run<'_>) {
     if negative > 0 {
         let message = format!(
             "the state that vibrates is not stable ({negative} motions against which nothing holds it): what it does is no steady vibration \
              but a fall; lower the stress or the preload, or look for the critical one with [analysis.buckling]"
         );
         run.record.warn(WarningKind::Unstable, message);
+    }
+}
+
+/// Warns of a highest circular frequency \[1/T\] that lies beyond what modes answer for.
+pub(in crate::analyses) fn truncated(last: Option<f64>, natural: Option<&[f64]>, run: &mut Run<'_>) {
+    let Some(last) = last else { return };
+    let covered = natural.and_then(|natural| natural.last()).map(|&highest| COVERED * highest);
+    if let Some(covered) = covered.filter(|&covered| last > covered) {
+        let message = format!(
+            "the highest frequency, {:.5e}, is beyond {COVERED} of that of the last mode, {:.5e}: modes above it swing there, and are but one \
+             shape in the answer; ask for more `modes`, or leave them out",
+            last / TAU,
+            covered / COVERED / TAU
+        );
+        run.record.warn(WarningKind::TruncatedModes, message);
     }
 }
 
@@ -44,16 +59,6 @@ impl Warnings<'_> {
         };
         if let Some((kind, message)) = message {
             run.record.warn(kind, message);
-        }
-        let covered = self.natural.and_then(|natural| natural.last()).map(|&highest| COVERED * highest);
-        if let Some(covered) = covered.filter(|&covered| last > covered) {
-            let message = format!(
-                "the highest frequency, {:.5e}, is beyond {COVERED} of that of the last mode, {:.5e}: modes above it swing there, and are but one \
-                 shape in the answer; ask for more `modes`, or leave them out",
-                last / TAU,
-                covered / COVERED / TAU
-            );
-            run.record.warn(WarningKind::TruncatedModes, message);
         }
     }
 

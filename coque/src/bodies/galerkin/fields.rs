@@ -43,7 +43,7 @@ pub(super) fn fields<'a>(solid: &'a GalerkinSolid, shown: &FieldRequest<'a>) -> 
     let known = || Some(solid.reactions()?.to_vec());
     let reactions = match shown.state {
         State::Moving | State::Balance => known(),
-        State::Linear => {
+        State::Linear | State::Greatest => {
             linear.map(|row| row[..3 * nodes].as_chunks::<3>().0.iter().map(|&f| Vec3::from(f)).collect())
         }
         State::Mode => None,
@@ -122,7 +122,7 @@ impl Content<'_> {
         to.geometry(&places, Connectivity { count: results.len(), cell: &cell })?;
         self.displacements(to, &moved)?;
         self.flowed(to, || galerkin.flowed().iter().map(|[strain, _]| *strain).collect())?;
-        if self.recovered.is_none() || self.shown.state == State::Linear {
+        if self.recovered.is_none() || matches!(self.shown.state, State::Linear | State::Greatest) {
             return Ok(());
         }
         let values: Vec<[f64; RECOVERED]> = results.iter().map(all_of).collect();

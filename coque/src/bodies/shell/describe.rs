@@ -175,6 +175,8 @@ fn lists(
     if scene.output.fields.is_some_and(|fields| fields.stresses) {
         if scene.analysis.kind().gives_modes {
             left_out.push("stresses of modes, which have a shape but no size".into());
+        } else if scene.analysis.is_shaken_by_bases() {
+            left_out.push("stresses in the fields, made of several resultants: columns have them".into());
         } else if matches!(scene.analysis, Analysis::Harmonic(_)) {
             left_out.push("stresses in the frames of peaks: columns have them".into());
         } else if !scene.shell.section.homogeneous() && !scene.output.fields.is_some_and(|own| own.plies) {

@@ -34,7 +34,7 @@ pub(crate) fn fields<'a>(
     // Where nothing is in balance and nothing moves there are no forces to show: neither stresses nor reactions.
     let forces = match shown.state {
         State::Moving | State::Balance => true,
-        State::Linear => linear.is_some(),
+        State::Linear | State::Greatest => linear.is_some(),
         State::Mode => false,
     };
     let (linear, reactions) =
@@ -99,7 +99,7 @@ impl Content<'_> {
         to.geometry(&points, Connectivity { count: self.cells(), cell: &cell })?;
         self.particles(to)?;
         let wanted = self.shown.of_stresses;
-        let results = self.results.as_ref().filter(|_| wanted.any());
+        let results = self.results.as_ref().filter(|_| wanted.any() && self.at_once());
         let stressed =
             results.map(|results| Stressed { shell, results, units: self.shown.units, at: self.place() });
         // What stands at points goes before what stands in cells.
@@ -240,6 +240,11 @@ impl Content<'_> {
         to.numbers(at, name, &self.shown.units.symbol(quantity), components, values)
     }
 
+    /// Whether its numbers are met at once, so that others can be made of several.
+    fn at_once(&self) -> bool {
+        self.shown.state != State::Greatest
+    }
+
     /// What displacements are; those of a mode have no size.
     fn motion(&self) -> Quantity {
         if self.shown.state == State::Mode { Quantity::Ratio } else { Quantity::Length }
@@ -255,7 +260,10 @@ impl Content<'_> {
 
     /// Where strains are sampled at the cells, how far those of a cell are from what its neighbours make of them.
     fn indicator(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
-        let results = self.results.as_ref().filter(|_| self.shown.indicator && self.place() == At::Cells);
+        let results = self
+            .results
+            .as_ref()
+            .filter(|_| self.shown.indicator && self.at_once() && self.place() == At::Cells);
         let Some(results) = results else { return Ok(()) };
         let found = indicator(self.shell, results);
         let all = rows(found.len(), |i| [found[i] as f32]);
@@ -286,7 +294,7 @@ impl Content<'_> {
         self.derived(to, "membrane_force", Quantity::ForcePerLength, PLANE, |r| r.force)?;
         self.derived(to, "moment", Quantity::MomentPerLength, PLANE, |r| r.moment)?;
         self.derived(to, "shear_force", Quantity::ForcePerLength, ACROSS, |r| r.shear_force)?;
-        if self.shell.homogeneous() {
+        if self.shell.homogeneous() && self.at_once() {
             let Some(results) = &self.results else { return Ok(()) };
             for (name, side) in [("stress_top", ShellFace::Top), ("stress_bottom", ShellFace::Bottom)] {
                 let all = rows(results.len(), |i| self.at_face(results, i, side).map(|value| value as f32));
@@ -321,7 +329,7 @@ impl Content<'_> {
     /// The von Mises stresses of both faces of a homogeneous section: so many rows, each of the sampling point that `of`
     /// gives for its number.
     fn faces(&self, to: &mut dyn FieldWriter, count: usize, of: impl Fn(usize) -> usize) -> io::Result<()> {
-        let wanted = self.shown.stresses && self.shell.homogeneous();
+        let wanted = self.shown.stresses && self.shell.homogeneous() && self.at_once();
         let Some(results) = self.results.as_ref().filter(|_| wanted) else { return Ok(()) };
         for (name, side) in [("von_mises_top", ShellFace::Top), ("von_mises_bottom", ShellFace::Bottom)] {
             let all = rows(count, |i| [von_mises(self.at_face(results, of(i), side)) as f32]);

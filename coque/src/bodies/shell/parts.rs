@@ -222,7 +222,7 @@ impl Builder<'_> {
             let Some((_, given, material)) = found(cells[0]) else { continue };
             let weighs = self.scene.loads.iter().any(|load| load.gravity.is_some());
             let swings = |analysis: &Analysis| {
-                matches!(analysis, Analysis::Explicit(_) | Analysis::Modal(_) | Analysis::Harmonic(_))
+                matches!(analysis, Analysis::Explicit(_) | Analysis::Modal(_)) || analysis.swings()
             };
             let needed = weighs || swings(self.scene.analysis);
             let (moduli, density) = match (elastic, material.elastic) {

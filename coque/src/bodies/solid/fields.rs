@@ -75,8 +75,8 @@ impl Content<'_> {
         };
         match self.shown.state {
             State::Mode => return Ok(()),
-            State::Linear if linear.is_none() => return Ok(()),
-            State::Moving | State::Balance | State::Linear => {}
+            State::Linear | State::Greatest if linear.is_none() => return Ok(()),
+            State::Moving | State::Balance | State::Linear | State::Greatest => {}
         }
         // Where nothing is held the same difference of forces is what accelerates: no reaction.
         let reaction = |a: usize| if solid.is_held(a) { force(a) } else { Vec3::zeros() };
@@ -87,7 +87,7 @@ impl Content<'_> {
     fn bonds(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
         let solid = self.solid;
         self.numbers(to, "damage", Quantity::Ratio, |a| solid.damage(a))?;
-        if matches!(self.shown.state, State::Mode | State::Linear) {
+        if matches!(self.shown.state, State::Mode | State::Linear | State::Greatest) {
             return Ok(());
         }
         if solid.plastic_strain(0).is_some() {

@@ -2,6 +2,7 @@
 
 use super::base::check_base;
 use super::harmonic::check_harmonic;
+use super::spectrum::{check_noise, check_spectrum};
 use crate::scene::analysis::{Analysis, Damping, Explicit};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
@@ -30,6 +31,8 @@ pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
             check_levels(scene, "analysis.relaxation.levels", levels)?;
         }
         Analysis::Harmonic(wanted) => check_harmonic(scene, wanted)?,
+        Analysis::ResponseSpectrum(wanted) => check_spectrum(scene, wanted)?,
+        Analysis::RandomVibration(wanted) => check_noise(scene, wanted)?,
         Analysis::Modal(_) | Analysis::Buckling(_) => {}
     }
     let kind = scene.analysis.kind();

@@ -71,7 +71,7 @@ fn check_measured(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
 
 /// Whether particles have a velocity in it.
 fn has_velocity(analysis: &Analysis) -> bool {
-    analysis.kind().passes_time || matches!(analysis, Analysis::Harmonic(_))
+    analysis.kind().passes_time || analysis.swings()
 }
 
 /// What is enclosed is measured on the set of its load.
@@ -155,12 +155,12 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
 /// The same but for what glue does.
 fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
-        BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director, Displacement,
-        EnclosedPressure, EnclosedVolume, Energy, FailureIndex, Flux, Force, FractureEnergy, FrictionLoss,
-        GreatestDepth, Level, MaxPrincipal, MembraneForce, MinPrincipal, Moment, Pieces, PlasticStrain,
-        PlasticWork, PlyStress, Position, Pressure, PrincipalAngle, Reaction, ReactionMoment, ReserveFactor,
-        Rotation, SectionForce, SectionMoment, ShearForce, StrainEnergy, Stress, Thickness, TouchingArea,
-        Tresca, Velocity, VonMises, WetLength,
+        Acceleration, BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director,
+        Displacement, EnclosedPressure, EnclosedVolume, Energy, FailureIndex, Flux, Force, FractureEnergy,
+        FrictionLoss, GreatestDepth, Level, MaxPrincipal, MembraneForce, MinPrincipal, Moment, Pieces,
+        PlasticStrain, PlasticWork, PlyStress, Position, Pressure, PrincipalAngle, Reaction, ReactionMoment,
+        ReserveFactor, Rotation, SectionForce, SectionMoment, ShearForce, StrainEnergy, Stress, Thickness,
+        TouchingArea, Tresca, Velocity, VonMises, WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
@@ -186,10 +186,12 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
         let touching = touching.into_iter().filter(|_| scene.may_touch());
         let yielding = [PlasticStrain, PlasticWork];
         let yielding = yielding.into_iter().filter(|_| solid.is_some_and(|own| own.material.yields()));
-        let known = [Displacement, Position, Reaction].into_iter().chain(stresses);
+        let accelerated = scene.analysis.swings().then_some(Acceleration);
+        let known = [Displacement, Position, Reaction].into_iter().chain(accelerated).chain(stresses);
         return known.chain(yielding).chain(touching).collect();
     }
     let mut known = vec![Displacement, Position, Reaction, Velocity];
+    known.extend(scene.analysis.swings().then_some(Acceleration));
     if solid.is_none_or(SolidScene::has_directors) {
         known.extend([Rotation, Director]);
     }
@@ -211,8 +213,7 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
         known.extend(stresses.into_iter().filter(|_| !scene.in_fluid));
         // In space, of forces alone; a moment that swings was not looked at.
         let in_space = !solid.is_plane() && !solid.has_directors();
-        known
-            .extend((in_space && !matches!(scene.analysis, Analysis::Harmonic(_))).then_some(ReactionMoment));
+        known.extend((in_space && !scene.analysis.swings()).then_some(ReactionMoment));
     } else if !scene.in_fluid {
         known.extend([ReactionMoment, MembraneForce, BendingMoment, ShearForce, Energy]);
         known.extend(stresses);

@@ -1,4 +1,4 @@
-//! Checks of steady vibration: frequencies, damping, what shakes, what is measured.
+//! Checks of vibration: what swings linearly, frequencies, damping, what is measured; of a steady one what shakes.
 
 use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
@@ -8,43 +8,67 @@ use crate::scene::error::{SceneError, Verdict};
 use crate::scene::harmonic::{Frequencies, Harmonic, RayleighDamping, ShakenBase, VibrationDamping};
 use crate::scene::problem::BodyScene;
 
-/// Refuses what does not vibrate, or not linearly.
+/// Refuses what does not vibrate steadily.
 pub(super) fn check_harmonic(scene: &BodyInScene<'_>, wanted: &Harmonic) -> Verdict {
     let s = &scene.scope();
-    if scene.together || !matches!(scene.body, BodyScene::Shell(_) | BodyScene::Solid(_)) {
-        let value = if scene.together { "several bodies" } else { "a rigid body" };
-        let bound = "one shell or one solid, alone in its scene";
-        let repair = "use [analysis.modal], or march the scene by [analysis.explicit.transient]";
-        return Err(SceneError::Choice(s.fault("analysis.harmonic", value, bound, repair)));
-    }
+    check_body(scene)?;
     check_frequencies(scene, &wanted.frequencies)?;
-    check_damping(scene, wanted)?;
+    if let Some(VibrationDamping::Ratio(ratio)) = wanted.damping.filter(|_| wanted.modes.is_none()) {
+        let bound = "none without `modes`: a ratio is that of modes";
+        let repair = "add modes = …, or use damping.structural = 2 × the ratio, which is the same at peaks";
+        return Err(s.value("analysis.harmonic.damping.ratio", ratio, bound, repair));
+    }
+    check_damping(scene, wanted.damping)?;
     if let Some(ShakenBase { acceleration, .. }) = wanted.base {
         s.direction("analysis.harmonic.base.acceleration", acceleration)?;
     }
-    let mut motions = scene.supports.iter().filter(|support| !support.preload);
-    if let Some((support, word)) = motions.find_map(|support| Some((support, support.motion()?.0))) {
-        let bound = "none in a harmonic analysis, unless `preload = true` brings it about before";
-        let repair = "shake all supports by analysis.harmonic.base, or load the set by a force";
-        let fault = s.fault(&support.at(word), "a prescribed motion", bound, repair);
-        return Err(SceneError::Choice(fault));
-    }
-    if let Some(load) = scene.loads.iter().find(|load| load.encloses() && !load.preload) {
-        let bound = "none in a harmonic analysis, unless `preload = true` shuts it in before";
-        let repair = "add `preload = true`, and let a pressure or a force vibrate";
-        let fault = s.fault(&load.path, "what is pumped in", bound, repair);
-        return Err(SceneError::Choice(fault));
-    }
+    check_swings(scene)?;
     if wanted.base.is_none() && scene.loads.iter().all(|load| load.preload) {
         let repair = "add a load, or shake the supports by analysis.harmonic.base";
         let fault = s.fault("loads", "nothing", "something that drives a harmonic analysis", repair);
         return Err(SceneError::Choice(fault));
     }
+    Ok(())
+}
+
+/// Refuses bodies whose vibration is not found.
+pub(super) fn check_body(scene: &BodyInScene<'_>) -> Verdict {
+    let s = &scene.scope();
+    if scene.together || !matches!(scene.body, BodyScene::Shell(_) | BodyScene::Solid(_)) {
+        let value = if scene.together { "several bodies" } else { "a rigid body" };
+        let bound = "one shell or one solid, alone in its scene";
+        let repair = "use [analysis.modal], or march the scene by [analysis.explicit.transient]";
+        let at = format!("analysis.{}", scene.analysis.kind().word);
+        return Err(SceneError::Choice(s.fault(&at, value, bound, repair)));
+    }
+    Ok(())
+}
+
+/// Refuses conditions that do not vibrate linearly, and columns without a size.
+pub(super) fn check_swings(scene: &BodyInScene<'_>) -> Verdict {
+    let (s, what) = (&scene.scope(), scene.analysis.kind().name);
+    let mut motions = scene.supports.iter().filter(|support| !support.preload);
+    if let Some((support, word)) = motions.find_map(|support| Some((support, support.motion()?.0))) {
+        let bound = format!("none in {what}, unless `preload = true` brings it about before");
+        let repair = format!(
+            "shake all supports by analysis.{}.base, or load the set by a force",
+            scene.analysis.word()
+        );
+        let fault = s.fault(&support.at(word), "a prescribed motion", &bound, &repair);
+        return Err(SceneError::Choice(fault));
+    }
+    if let Some(load) = scene.loads.iter().find(|load| load.encloses() && !load.preload) {
+        let bound = format!("none in {what}, unless `preload = true` shuts it in before");
+        let repair = "add `preload = true`, and let a pressure or a force vibrate";
+        let fault = s.fault(&load.path, "what is pumped in", &bound, repair);
+        return Err(SceneError::Choice(fault));
+    }
     scene.curve.iter().try_for_each(|probe| check_swinging(scene, probe))
 }
 
-fn check_frequencies(scene: &BodyInScene<'_>, frequencies: &Frequencies) -> Verdict {
-    let (s, at) = (&scene.scope(), "analysis.harmonic.frequencies");
+/// Refuses frequencies that do not rise.
+pub(super) fn check_frequencies(scene: &BodyInScene<'_>, frequencies: &Frequencies) -> Verdict {
+    let (s, at) = (&scene.scope(), format!("analysis.{}.frequencies", scene.analysis.kind().word));
     match frequencies {
         Frequencies::Range(range) if range.to.get() <= range.from.get() => {
             let bound = format!("greater than `from`, {}", range.from);
@@ -53,7 +77,7 @@ fn check_frequencies(scene: &BodyInScene<'_>, frequencies: &Frequencies) -> Verd
         Frequencies::Range(_) => Ok(()),
         Frequencies::List(list) if list.is_empty() => {
             let repair = "frequencies = { from = 1.0, to = 100.0, points = 200 }, or a list";
-            Err(s.value(at, "empty", "a list of at least one frequency", repair))
+            Err(s.value(&at, "empty", "a list of at least one frequency", repair))
         }
         Frequencies::List(list) => {
             let mut last = 0.0;
@@ -75,19 +99,18 @@ fn check_frequencies(scene: &BodyInScene<'_>, frequencies: &Frequencies) -> Verd
     }
 }
 
-fn check_damping(scene: &BodyInScene<'_>, wanted: &Harmonic) -> Verdict {
-    let (s, at) = (&scene.scope(), "analysis.harmonic.damping");
-    match wanted.damping {
-        Some(VibrationDamping::Ratio(ratio)) if wanted.modes.is_none() => {
-            let bound = "none without `modes`: a ratio is that of modes";
-            let repair =
-                "add modes = …, or use damping.structural = 2 × the ratio, which is the same at peaks";
-            Err(s.value(&format!("{at}.ratio"), ratio, bound, repair))
-        }
+/// Refuses a damping of nothing.
+pub(super) fn check_damping(scene: &BodyInScene<'_>, damping: Option<VibrationDamping>) -> Verdict {
+    let (s, at) = (&scene.scope(), format!("analysis.{}.damping", scene.analysis.kind().word));
+    match damping {
         Some(VibrationDamping::Rayleigh(RayleighDamping { mass, stiffness }))
             if mass.get() == 0.0 && stiffness.get() == 0.0 =>
         {
-            let (bound, repair) = ("`mass`, `stiffness` or both above zero", "leave `damping` out for none");
+            let repair = match scene.analysis {
+                Analysis::Harmonic(_) => "leave `damping` out for none",
+                _ => "give one of them, or write damping.ratio = …",
+            };
+            let bound = "`mass`, `stiffness` or both above zero";
             Err(s.value(&format!("{at}.rayleigh"), "nothing", bound, repair))
         }
         _ => Ok(()),
@@ -97,12 +120,13 @@ fn check_damping(scene: &BodyInScene<'_>, wanted: &Harmonic) -> Verdict {
 /// Refuses what has no amplitude: what is no linear number of the motion.
 fn check_swinging(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     use Measured::{
-        BendingMoment, Director, Displacement, MembraneForce, PlyStress, Reaction, ReactionMoment, Rotation,
-        SectionForce, SectionMoment, ShearForce, Stress, Velocity,
+        Acceleration, BendingMoment, Director, Displacement, MembraneForce, PlyStress, Reaction,
+        ReactionMoment, Rotation, SectionForce, SectionMoment, ShearForce, Stress, Velocity,
     };
     let known = [
         Displacement,
         Velocity,
+        Acceleration,
         Rotation,
         Director,
         Reaction,
@@ -118,16 +142,19 @@ fn check_swinging(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
     let s = &scene.scope();
     if !known.contains(&probe.of) {
         let words = known.map(Measured::word).join(", ");
-        let bound = format!("what goes with the motion in proportion in a harmonic analysis: {words}");
+        let what = scene.analysis.kind().name;
+        let bound = format!("what goes with the motion in proportion in {what}: {words}");
         let fault =
             s.fault(&probe.at("of"), &format!("\"{}\"", probe.of.word()), &bound, "measure one of these");
         return Err(SceneError::Choice(fault));
     }
     if matches!(probe.taken(), Take::Max | Take::Min) {
-        let bound = "\"mean\" or \"sum\" in a harmonic analysis: particles reach their greatest at times of their own";
+        let what = scene.analysis.kind().name;
+        let bound =
+            format!("\"mean\" or \"sum\" in {what}: particles reach their greatest at times of their own");
         let repair = "remove it, or name the particle";
         let word = if probe.taken() == Take::Max { "\"max\"" } else { "\"min\"" };
-        return Err(SceneError::Choice(s.fault(&probe.at("take"), word, bound, repair)));
+        return Err(SceneError::Choice(s.fault(&probe.at("take"), word, &bound, repair)));
     }
     Ok(())
 }

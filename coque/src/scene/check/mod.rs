@@ -22,6 +22,7 @@ mod sets;
 mod several;
 mod shell;
 mod solid;
+mod spectrum;
 mod stresses;
 mod together;
 mod tools;

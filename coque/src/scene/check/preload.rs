@@ -36,7 +36,9 @@ pub(super) fn check_preload(scene: &BodyInScene<'_>) -> Verdict {
     if !kind.preloads {
         let repair = match kind.passes_time {
             true => "remove it, and let an `amplitude` bring the load up and hold it",
-            false => "use [analysis.static], arc-length, modal, harmonic or buckling",
+            false => {
+                "use [analysis.static], arc-length, modal, harmonic, response-spectrum, random-vibration or buckling"
+            }
         };
         return refuse(&path, &format!("none in {}", kind.name), repair);
     }

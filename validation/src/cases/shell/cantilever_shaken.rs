@@ -19,7 +19,7 @@ const BESIDE: [f64; 2] = [0.95, 1.05];
 const PEAK: &str = "worst of three peaks";
 
 /// As in the scene; ν = 0, 5/6 of the shear stiffness.
-const BEAM: ShakenBeam = ShakenBeam {
+pub(super) const BEAM: ShakenBeam = ShakenBeam {
     young: 210e9,
     shear: 210e9 / 2.0 * 5.0 / 6.0,
     density: 7850.0,

@@ -2,7 +2,9 @@
 
 mod bracket;
 mod buckling;
+mod cantilever_by_spectrum;
 mod cantilever_end_shear;
+mod cantilever_in_noise;
 mod cantilever_shaken;
 mod clamped_cap;
 mod deck_in_quake;
@@ -66,6 +68,8 @@ pub fn all() -> Vec<Case> {
             bracket::case(),
             heavy_end::case(),
             cantilever_shaken::case(),
+            cantilever_by_spectrum::case(),
+            cantilever_in_noise::case(),
             deck_in_quake::case(),
         ],
     ));

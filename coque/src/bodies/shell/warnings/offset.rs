@@ -40,6 +40,8 @@ pub(super) fn inertia(look: &Look<'_>) -> Option<String> {
     let modes = match &look.scene?.analysis {
         Analysis::Modal(modal) => modal.modes.get(),
         Analysis::Harmonic(wanted) => wanted.modes.map_or(1, Modes::get),
+        Analysis::ResponseSpectrum(wanted) => wanted.modes.get(),
+        Analysis::RandomVibration(wanted) => wanted.modes.get(),
         Analysis::Explicit(_) => 1,
         _ => return None,
     };

@@ -151,7 +151,7 @@ fn check_law_of(scene: &BodyInScene<'_>, shell: &ShellScene, below: &str, s: &Sc
         return refuse("initial_stress[0]", "an initial stress", &bound, repair);
     }
     let at_rest =
-        matches!(scene.analysis, Analysis::Linear(_) | Analysis::Harmonic(_) | Analysis::Buckling(_));
+        matches!(scene.analysis, Analysis::Linear(_) | Analysis::Buckling(_)) || scene.analysis.swings();
     if shell.yields_itself() && at_rest {
         let bound =
             format!("none in {}, which takes the material as it is at rest", scene.analysis.kind().name);

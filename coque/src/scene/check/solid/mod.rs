@@ -59,7 +59,7 @@ pub(super) fn check_solid(scene: &BodyInScene<'_>, solid: &SolidScene) -> Verdic
         check_yielding_bonds(scene, solid, plastic)?;
     }
     let at_rest =
-        matches!(scene.analysis, Analysis::Linear(_) | Analysis::Harmonic(_) | Analysis::Buckling(_));
+        matches!(scene.analysis, Analysis::Linear(_) | Analysis::Buckling(_)) || scene.analysis.swings();
     if solid.material.yields() && at_rest {
         let bound =
             format!("none in {}, which takes the material as it is at rest", scene.analysis.kind().name);
