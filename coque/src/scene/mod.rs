@@ -28,6 +28,8 @@ mod imperfection;
 mod includes;
 pub(crate) mod joints;
 mod levels;
+pub(crate) mod linked;
+mod links;
 mod lists;
 mod loads;
 mod nearest;
@@ -82,6 +84,7 @@ pub use harmonic::{
 };
 pub use imperfection::Imperfection;
 pub use levels::Levels;
+pub use links::{LinkScene, Side};
 pub use loads::{Axis, Couple, Force, Gas, Gravity, Load, LoadKind, Pressure, Temperature, Traction, Volume};
 pub use output::{ErrorBars, ErrorProbe, Fields, Output, Plot};
 pub use per_axis::PerAxis;

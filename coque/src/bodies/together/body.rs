@@ -40,6 +40,10 @@ impl<S: Parts> Body for Together<S> {
                 let all = glue.filter_map(|number| self.system.glued(number));
                 all.map(|glue| glue.gap(body, own as u32)).sum::<Vec3>().dot(along)
             }
+            Measured::LinkForce => {
+                let links = self.layout.links.clone();
+                links.map(|number| self.system.force_on(number, body, own)).sum::<Vec3>().dot(along)
+            }
             _ => self.system.read(&self.layout.contacts, of, [body, own], along),
         }
     }

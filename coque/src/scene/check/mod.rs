@@ -14,6 +14,7 @@ mod glue;
 mod harmonic;
 mod heat;
 mod imperfection;
+mod links;
 mod made;
 mod preload;
 mod rigid;
@@ -35,6 +36,7 @@ use self::curve::check_curve;
 use self::fluid::check_velocity_of_fluid;
 use self::glue::check_glue;
 use self::imperfection::check_imperfection;
+use self::links::check_links;
 use self::made::check_circles;
 use self::preload::check_preload;
 use self::rigid::check_rigid;
@@ -59,6 +61,7 @@ pub(super) fn check(scene: &Scene) -> Verdict {
     check_coupling(scene)?;
     check_contact(scene)?;
     check_glue(scene)?;
+    check_links(scene)?;
     match scene.is_together() {
         true => check_together(scene)?,
         false => check_alone(&BodyInScene::new(scene, name, body)?)?,
