@@ -18,6 +18,7 @@ use super::links::LinkScene;
 use super::loads::Load;
 use super::output::{ErrorBars, Output};
 use super::rigid::RigidScene;
+use super::rigid_joints::JointScene;
 use super::scope::Scope;
 use super::sets::Region;
 use super::shell::ShellScene;
@@ -70,6 +71,9 @@ pub struct Scene {
     /// Springs by a table, cables, gaps and dashpots between sets and to the ground.
     #[serde(default)]
     pub links: Vec<LinkScene>,
+    /// Hinges, sliders and ball joints of rigid bodies.
+    #[serde(default)]
+    pub joints: Vec<JointScene>,
     /// How to find answers.
     pub analysis: Analysis,
     /// How a fluid and the structures in it take turns.

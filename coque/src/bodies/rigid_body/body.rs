@@ -63,7 +63,11 @@ impl Body for RigidBody {
     }
 }
 
-impl DynamicBody for RigidBody {}
+impl DynamicBody for RigidBody {
+    fn as_rigid_mut(&mut self) -> Option<&mut RigidBody> {
+        Some(self)
+    }
+}
 
 impl Body for RestingBody {
     fn configuration(&self) -> Configuration<'_> {

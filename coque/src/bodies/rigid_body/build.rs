@@ -67,7 +67,8 @@ pub(in crate::bodies) fn rigid_made(
     if let Analysis::Explicit(Explicit { transient: Some(run), .. }) = scene.analysis {
         // Bodies beside it have steps of their own, and so has its contact with tools.
         let alone = !scene.together && rigid.tools.is_empty() && scene.scene.links.is_empty();
-        let steps = if alone { STEPS_A_RECORD } else { 1.0 };
+        // What swings on joints has no stiffness that bounds its step.
+        let steps = if alone || !scene.scene.joints.is_empty() { STEPS_A_RECORD } else { 1.0 };
         body.bound_step(run.record_every.get() / steps);
     }
     if !scene.together {

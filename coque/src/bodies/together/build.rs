@@ -11,6 +11,7 @@ use super::body::Together;
 use super::contact::{Side, TouchingBodies};
 use super::faces::Faces;
 use super::glue::{Bodies, GluedBodies};
+use super::jointed::JointedBodies;
 use super::joints::{BetweenBodies, SetsOfBodies};
 use super::layout::Layout;
 use super::links::AllLinks;
@@ -90,6 +91,7 @@ pub(in crate::bodies) fn together_model(
     );
     description.modelled.extend(glue.iter().map(GluedBodies::line));
     description.modelled.extend(links.lines());
+    description.modelled.extend(JointedBodies::line(scene));
     refuse_modes(scene, description.dof)?;
     let memory = made.iter().fold(Memory::default(), |sum, (_, part)| Memory {
         needed: sum.needed + part.memory.needed,
@@ -128,8 +130,9 @@ pub(in crate::bodies) fn together_model(
             let on_tools = on_tools.into_iter().map(|own| Box::new(own) as _);
             let glue = glue.into_iter().map(|own| Box::new(own) as _);
             let all = springs.into_iter().chain(touching).chain(on_tools).chain(glue).chain(links.marched());
+            let jointed = JointedBodies::find(scene, &mut marched);
             let system = Marched::new(marched, all.collect());
-            Ready::Dynamic(Box::new(Together { system, layout }))
+            Ready::Dynamic(Box::new(Together { system, layout, joints: jointed }))
         }
         _ => {
             for own in &mut glue {
@@ -141,7 +144,7 @@ pub(in crate::bodies) fn together_model(
             let glue = glue.into_iter().map(|own| Box::new(own) as _);
             let all = springs.into_iter().chain(touching).chain(on_tools).chain(glue).chain(links.balanced());
             let system = Balanced::new(balanced, all.collect());
-            Ready::Static(Box::new(Together { system, layout }))
+            Ready::Static(Box::new(Together { system, layout, joints: None }))
         }
     };
     let (driven, judge) = (None, Some(judge_each(judges)));

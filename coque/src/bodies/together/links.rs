@@ -8,9 +8,9 @@ use sph_core::Vec3;
 
 use super::joints::{SetsOfBodies, moved_on, paired, places};
 use super::layout::Layout;
+use crate::scene::Side;
 use crate::scene::error::SceneError;
 use crate::scene::linked::{LinkInScene, links};
-use crate::scene::Side;
 use crate::scene::{Analysis, BodyScene, Scene};
 
 /// Part of a line across the plane of a plane body beyond which it leads out of it.

@@ -12,6 +12,7 @@ pub(super) mod build;
 mod contact;
 mod faces;
 mod glue;
+mod jointed;
 mod joints;
 mod kept;
 mod layout;

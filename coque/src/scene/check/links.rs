@@ -3,10 +3,10 @@
 use super::sets::check_set_name;
 use super::several::check_before;
 use super::wet_rigid::stays_in_plane;
+use crate::scene::LinkScene;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::linked::{LinkInScene, links};
-use crate::scene::LinkScene;
 use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::{Analysis, Explicit};
 
