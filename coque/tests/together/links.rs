@@ -22,6 +22,9 @@ mass = 2.0
 velocity = { linear = [1.0, 0.0, 0.0] }
 "#;
 
+/// The same body at rest.
+const REST: &str =
+    "{ geometry.box = { min = [-0.1, -0.1, -0.1], max = [0.1, 0.1, 0.1], spacing = 0.1 }, mass = 2.0 }";
 const DURATION: &str = "analysis.explicit.transient.duration";
 
 fn mass(replaced: Replaced) -> Outcome {
@@ -52,7 +55,7 @@ fn quarter(m: f64) -> f64 {
 }
 
 /// `m ẍ = −α x − β x³` has the period `4 K(m)/√((α + βA²)/M)`, `m = βA²/2(α + βA²)`. Its table of 81 points over .4 m is stiffer by its chords, which
-/// costs 2e-4 of the period here; a hundred steps a record of a twentieth of it leave 1e-6.
+/// costs 2.5e-4 of the period here and 3.6e-4 of the amplitude.
 #[test]
 fn a_hardening_spring_swings_as_the_elliptic_integral_says() {
     let (alpha, beta, heavy) = (200.0, 20000.0, 2.0);
@@ -65,13 +68,13 @@ fn a_hardening_spring_swings_as_the_elliptic_integral_says() {
     let stiff = alpha + beta * square;
     let period = 4.0 * quarter(0.5 * beta * square / stiff) / (stiff / heavy).sqrt();
     let found = crossing(&outcome, "x", 0.6 * period);
-    assert!((found / period - 1.0).abs() < 1e-3, "{found} {period}");
+    assert!((found / period - 1.0).abs() < 8e-4, "{found} {period}");
     let most = column(&outcome, "x").into_iter().fold(0.0, f64::max);
-    assert!((most / square.sqrt() - 1.0).abs() < 1e-2, "{most} {}", square.sqrt());
-    assert!(unbalanced(&outcome) < 1e-4, "{}", unbalanced(&outcome));
+    assert!((most / square.sqrt() - 1.0).abs() < 1.1e-3, "{most} {}", square.sqrt());
+    assert!(unbalanced(&outcome) < 3e-7, "{}", unbalanced(&outcome));
 }
 
-/// In flight `4 g/v`, on the stops `2π √(m/k)`: a round between gaps. The same by its table.
+/// In flight `4 g/v`, on the stops `2π √(m/k)`: a round between gaps. The same by its table. Steps of 1e-4 s leave 2.1e-7 of it, and 1e-6 of the energy.
 #[test]
 fn a_mass_bounces_between_gaps() {
     let period = 4.0 * 0.05 + 2.0 * std::f64::consts::PI * (2.0_f64 / 800.0).sqrt();
@@ -81,8 +84,8 @@ fn a_mass_bounces_between_gaps() {
                   { on = 'all', direction = [1, 0, 0], stiffness = 800.0, gap = 0.05, bears = 'compression' }]";
     let [gap, table, sided] = [gap, table, sided].map(|links| mass(&[("links", links)]));
     let found = crossing(&gap, "x", 0.6 * period);
-    assert!((found / period - 1.0).abs() < 1e-3, "{found} {period}");
-    assert!(unbalanced(&gap) < 1e-4, "{}", unbalanced(&gap));
+    assert!((found / period - 1.0).abs() < 7e-7, "{found} {period}");
+    assert!(unbalanced(&gap) < 3e-6, "{}", unbalanced(&gap));
     for other in [&table, &sided] {
         for (a, b) in column(&gap, "x").iter().zip(column(other, "x")) {
             assert!((a - b).abs() < 1e-6, "{a} {b}");
@@ -90,7 +93,8 @@ fn a_mass_bounces_between_gaps() {
     }
 }
 
-/// `x = v/ω_d e^{−ζωt} sin ω_d t`; what the dashpot took is missing of the kinetic energy: the balance closes.
+/// `x = v/ω_d e^{−ζωt} sin ω_d t`; what the dashpot took is missing of the kinetic energy: the balance closes. Steps of 1e-4 s
+/// leave 1.1e-7 of the way, 1.4e-7 of the energy.
 #[test]
 fn a_dashpot_damps_as_it_should_and_books_what_it_takes() {
     let links = "[{ on = 'all', direction = [1, 0, 0], stiffness = 800.0 }, { on = 'all', direction = [1, 0, 0], damping = 16.0 }]";
@@ -99,37 +103,30 @@ fn a_dashpot_damps_as_it_should_and_books_what_it_takes() {
     let wd = w * (1.0 - zeta * zeta).sqrt();
     for (t, x) in column(&outcome, "time").into_iter().zip(column(&outcome, "x")) {
         let exact = (-zeta * w * t).exp() * (wd * t).sin() / wd;
-        assert!((x - exact).abs() < 1e-4 / wd, "{t}: {x} {exact}");
+        assert!((x - exact).abs() < 4e-7 / wd, "{t}: {x} {exact}");
     }
     let lost = last(&outcome, "dissipated");
-    assert!((lost - 1.0).abs() < 0.01, "all of ½ m v² is gone: {lost}");
-    assert!(unbalanced(&outcome) < 1e-6, "{}", unbalanced(&outcome));
+    assert!((lost - 1.0).abs() < 1e-3, "nearly all of ½ m v² is gone: {lost}");
+    assert!(unbalanced(&outcome) < 5e-7, "{}", unbalanced(&outcome));
 }
 
-/// Two cables of length a from (±a, 0, h) hold a weight where `2 k (ℓ − a) z/ℓ = W`, ℓ² = a² + z²: found as Newton's method leaves it. From slack
-/// cables, whose geometric stiffness is none, no balance is sought: the weight hangs a little below at the start.
+/// Two cables of length a to (±a, h) hold a weight where `2 k (ℓ − a) z/ℓ = W`, ℓ² = a² + z²: found to sixteen figures. The body hangs below the vertex on which
+/// they are, or it would turn about it freely.
 #[test]
 fn a_weight_hangs_in_a_vee_of_cables() {
     let (a, k, weight, sag): (f64, f64, f64, f64) = (1.0, 1000.0, 300.0, 0.2);
-    let cables = [-1.0, 1.0].map(|x| {
-        format!(
-            "{{ on = \"all\", point = [{x}, 0, {sag}], length = {a}, stiffness = {k}, bears = \"tension\" }}"
-        )
-    });
-    let links = format!("[{}]", cables.join(", "));
+    let cable = |x: f64| {
+        let (z, taut) = (sag + 0.1, "bears = \"tension\"");
+        format!("{{ on = \"top\", point = [{x}, 0, {z}], length = {a}, stiffness = {k}, {taut} }}")
+    };
     let outcome = mass(&[
         ("analysis", "{ static = { levels = 3 } }"),
-        ("links", &links),
-        ("bodies.mass.rigid.velocity", "{}"),
-        (
-            "bodies.mass.rigid",
-            "{ geometry.box = { min = [-0.1, -0.1, -0.1], max = [0.1, 0.1, 0.1], spacing = 0.1 }, mass = 2.0 }",
-        ),
-        (
-            "supports",
-            "[{ on = 'all', held = { displacement = [[0, 1, 0]], director = [[1, 0, 0], [0, 1, 0]] } }]",
-        ),
+        ("sets.top.nearest", "[0.0, 0.0, 0.1]"),
+        ("links", &format!("[{}, {}]", cable(-a), cable(a))),
+        ("bodies.mass.rigid", REST),
+        ("supports", "[{ on = 'all', held = { displacement = [[0, 1, 0]], director = [[0, 1, 0]] } }]"),
         ("loads", &format!("[{{ on = 'all', force = {{ total = [0, 0, {}] }} }}]", -weight)),
+        ("curve", "[{ name = 'z', of = 'displacement', on = 'all', direction = [0, 0, 1] }]"),
     ]);
     let force = |z: f64| {
         let long = (a * a + z * z).sqrt();
@@ -141,7 +138,7 @@ fn a_weight_hangs_in_a_vee_of_cables() {
         if force(middle) < weight { low = middle } else { high = middle }
     }
     let found = sag - last(&outcome, "z");
-    assert!((found - low).abs() < 1e-6, "{found} {low}");
+    assert!((found - low).abs() < 1e-9, "{found} {low}");
 }
 
 const STRIP: &str = r#"title = "A strip"
@@ -189,7 +186,7 @@ fn a_link_is_a_spring_in_every_analysis() {
     }
 }
 
-/// A tip that meets a stop: `w = (F + k g)/(3EI/L³ + k)` beyond its gap. The strip is softer by 3e-4.
+/// A tip that meets a stop: `w = (F + k g)/(3EI/L³ + k)` beyond its gap. Its rise by large displacements is 1.1e-3.
 #[test]
 fn a_cantilever_meets_a_stop() {
     let links = "[{ on = 'u1', direction = [0, 0, 1], stiffness = 0.1, gap = 0.02, bears = 'compression' }]";
@@ -197,7 +194,7 @@ fn a_cantilever_meets_a_stop() {
     let w = -last(&ran(overridden(STRIP, "strip.toml", &all)), "w");
     let own = 3.0 * 1.2e7 * 0.1 * 1e-6 / 12.0;
     let exact = (0.01 + 0.1 * 0.02) / (own + 0.1);
-    assert!((w / exact - 1.0).abs() < 2e-3, "{w} {exact}");
+    assert!((w / exact - 1.0).abs() < 3.5e-3, "{w} {exact}");
 }
 
 /// Two bodies that fly, joined off their middles by a cable, a table and a dashpot, one of them on a gap.
@@ -333,7 +330,7 @@ fn the_scene_of_the_stops_goes_round_as_it_says() {
     let free = [("links[1].damping", "1e-9"), (DURATION, "0.6")];
     let outcome = ran(overridden(&text("mass-between-stops.toml"), "stops.toml", &free));
     let found = crossing(&outcome, "x", 0.3);
-    assert!((found - 0.5142).abs() < 5e-4, "{found}");
+    assert!((found - 0.51416).abs() < 1e-5, "{found}");
 }
 
 #[test]
