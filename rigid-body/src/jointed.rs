@@ -28,6 +28,8 @@ use crate::conditions::Wrench;
 
 /// Rounds of the solution, at most.
 const ROUNDS: usize = 50;
+/// Rounds of the search for eigenvalues, at most.
+const SWEEPS: usize = 10_000;
 /// What rounding leaves of a constraint, over its size.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Eigenvalues of the constraints, scaled, below which one follows from others, over the greatest.
@@ -92,7 +94,7 @@ impl Frame {
 }
 
 impl Constraint {
-    /// Its value, and its size, of which rounding is a part.
+    /// Its value, and the length of which rounding is a part; none of axes.
     fn value(&self, [first, second]: [&Frame; 2]) -> [f64; 2] {
         match self {
             Self::Place { arms, along, turning } => {
@@ -101,7 +103,7 @@ impl Constraint {
                 let apart = (second.pole + b) - (first.pole + a);
                 [n.dot(&apart), first.pole.norm() + second.pole.norm() + a.norm() + b.norm()]
             }
-            Self::Square { axes } => [(first.axes * axes[0]).dot(&(second.axes * axes[1])), 1.0],
+            Self::Square { axes } => [(first.axes * axes[0]).dot(&(second.axes * axes[1])), 0.0],
         }
     }
 
@@ -215,7 +217,11 @@ impl Joints {
                 bodies.iter().zip(&wrenches).map(|(body, own)| end(body, own, step)).collect();
             let values = self.constraints.iter().map(|(of, own)| own.value(of_both(of, &ends)));
             let values: Vec<[f64; 2]> = values.collect();
-            let most = values.iter().map(|[value, size]| value.abs() / size).fold(0.0, f64::max);
+            // One length for all: a joint at a centre in the origin has none of its own.
+            let length = values.iter().map(|[_, size]| *size).fold(0.0, f64::max);
+            let part =
+                |[value, size]: &[f64; 2]| value.abs() * if *size > 0.0 { inverse(length) } else { 1.0 };
+            let most = values.iter().map(part).fold(0.0, f64::max);
             if most < last {
                 (found, last) = (impulses.clone(), most);
             }
@@ -266,7 +272,10 @@ impl Joints {
         for i in 0..count {
             (0..count).for_each(|j| all[(i, j)] *= scale[i] * scale[j]);
         }
-        let eigen = SymmetricEigen::new(all);
+        // What is no number, of a march that blows up, has no eigenvalues.
+        let Some(eigen) = SymmetricEigen::try_new(all, f64::EPSILON, SWEEPS) else {
+            return DMatrix::zeros(count, count);
+        };
         let least = FOLLOWS * eigen.eigenvalues.max();
         let inverses = eigen.eigenvalues.map(|value| if value > least { 1.0 / value } else { 0.0 });
         let mut out =

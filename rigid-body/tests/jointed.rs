@@ -32,7 +32,9 @@ fn march(
             kick: if number == 0 { 0.5 * dt } else { dt },
             damping: 0.0,
         };
-        bodies.iter_mut().for_each(|body| drop(body.evaluate(step.from)));
+        bodies.iter_mut().for_each(|body| {
+            body.evaluate(step.from);
+        });
         if number == 0 {
             joints.brace(&mut bodies.iter_mut().collect::<Vec<_>>(), &Step { kick: 0.0, ..step });
         }

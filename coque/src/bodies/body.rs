@@ -6,7 +6,6 @@ use std::collections::BTreeMap;
 use contact::{FrontChange, NodalContact};
 use explicit_dynamics::{Dynamics, Exert, Shortened};
 use implicit_statics::Equilibrium;
-use rigid_body::RigidBody;
 use serde::{Deserialize, Serialize};
 use sph_core::{Cell, Vec3};
 
@@ -143,11 +142,6 @@ pub trait Body: Send {
 
 /// A body that is marched in time.
 pub trait DynamicBody: Body + Dynamics {
-    /// The rigid body, if it is one, for its joints to others.
-    fn as_rigid_mut(&mut self) -> Option<&mut RigidBody> {
-        None
-    }
-
     /// Looks at itself where a run records, at a time \[T\]: what it sees is in [`Body::diagnostics`].
     fn look(&mut self, _time: f64) {}
 

@@ -39,10 +39,12 @@ fn crossing(outcome: &Outcome, name: &str, after: f64) -> f64 {
     t[i] + (t[i + 1] - t[i]) * x[i] / (x[i] - x[i + 1])
 }
 
-/// The most by which energies do not add up, over the kinetic energy at the start.
+/// The most by which energies of records do not add up, over the kinetic energy at the start.
 fn unbalanced(outcome: &Outcome) -> f64 {
-    let most = column(outcome, "balance_error").into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    most / column(outcome, "kinetic")[0]
+    let [kinetic, internal, external, dissipated] =
+        ["kinetic", "internal", "external", "dissipated"].map(|name| column(outcome, name));
+    let sum = |i: usize| kinetic[i] + internal[i] + dissipated[i] - external[i];
+    (0..kinetic.len()).map(|i| (sum(i) - sum(0)).abs()).fold(0.0, f64::max) / kinetic[0]
 }
 
 /// The complete elliptic integral of the first kind by means, `π/2 agm(1, √(1 − m))`.

@@ -63,11 +63,7 @@ impl Body for RigidBody {
     }
 }
 
-impl DynamicBody for RigidBody {
-    fn as_rigid_mut(&mut self) -> Option<&mut RigidBody> {
-        Some(self)
-    }
-}
+impl DynamicBody for RigidBody {}
 
 impl Body for RestingBody {
     fn configuration(&self) -> Configuration<'_> {

@@ -1,5 +1,7 @@
 //! Joints of the rigid bodies among several: from the scene's words to constraints on the march of them.
 
+use std::any::Any;
+
 use explicit_dynamics::{Dynamics, Step, Work};
 use rigid_body::{Joint, JointKind, Joints, RigidBody};
 use sph_core::Vec3;
@@ -61,5 +63,5 @@ impl JointedBodies {
 
 /// The rigid bodies among all.
 fn rigid_of(bodies: &mut [Box<dyn MarchedPart>]) -> impl Iterator<Item = &mut RigidBody> {
-    bodies.iter_mut().filter_map(|body| body.as_rigid_mut())
+    bodies.iter_mut().filter_map(|body| (body.as_mut() as &mut dyn Any).downcast_mut())
 }
