@@ -80,6 +80,7 @@
 //! | how far a motion may go before what touches a tool is another | `changes.rs` |
 //! | how far a tool has moved and turned | `pose.rs` |
 //! | springs between places of two bodies | `joints.rs` |
+//! | springs by a curve, cables, gaps; dashpots; how far their ends are apart | `links.rs`, `force_curve.rs`; `dashpots.rs`; `reach.rs` |
 //! | points glued to surfaces; where they stand over them | `glue.rs`; `foot.rs` |
 //!
 //! # What holds, and the test that says so
@@ -92,6 +93,7 @@
 //! | forces are the gradient of the energy, the tangent that of the forces, for every tool | tests/derivatives.rs |
 //! | work of friction is what it loses and what its anchors store; a tool that turns drags | tests/friction.rs |
 //! | springs between places: forces and blocks are derivatives, momentum is kept, the bound lies above the frequency | src/joints.rs |
+//! | links: energies of curves, forces and blocks are derivatives, what is slack changes no bit; dashpots: order two, the bound of their step | src/force_curve.rs, links.rs, dashpots.rs |
 //! | glued points: forces and blocks are derivatives, momentum and moment of momentum are kept, rigid motions cost nothing | tests/glue.rs |
 //! | turned and in other units the answer is the same | tests/relations.rs |
 //! | the same of pairs of features, of edges that cross, of two surfaces | `gradient_and_second_derivative_of_every_kind_of_pair_are_those_of_the_distance`, `forces_of_two_edges_are_the_gradient_of_their_energy_nearly_parallel_ones_too`, tests/surfaces.rs |
@@ -103,14 +105,17 @@
 #![warn(missing_docs)]
 
 mod changes;
+mod dashpots;
 mod edges;
 mod euler;
 mod foot;
+mod force_curve;
 mod friction;
 mod glue;
 mod grips;
 mod joints;
 mod law;
+mod links;
 mod list;
 mod mesh;
 mod nearest;
@@ -119,6 +124,7 @@ mod pace;
 mod pair;
 mod patches;
 mod pose;
+mod reach;
 mod stiffness;
 mod surface;
 mod surfaces;
@@ -128,16 +134,20 @@ mod unseen;
 mod watch;
 
 pub use changes::{FrontChange, Motion, Turn};
+pub use dashpots::{Dashpot, Dashpots};
 pub use foot::{Foot, Nearest};
+pub use force_curve::{Bears, ForceCurve, OnCurve};
 pub use friction::Friction;
 pub use glue::{Glue, Glued};
 pub use joints::{Joint, Joints};
 pub use law::Law;
+pub use links::{Link, Links};
 pub use mesh::Mesh;
 pub use nodal::{Grip, NodalContact};
 pub use pace::{Moving, Pace};
 pub use pair::Pair;
 pub use pose::Pose;
+pub use reach::{Far, Reach, Span};
 pub use stiffness::{stiffness, thickness_bounds};
 pub use surface::{Surface, Vertex};
 pub use surfaces::{Deepest, Node, SurfaceContact, SurfaceTouch, Touching};

@@ -23,6 +23,10 @@
 //! away. Steady spins about a principal axis, and all spins of a ball, are exact. It is the rule by which rigid sets of shells turn. The
 //! equation for Ω½ is solved by rounds, each of which gains a factor of `Δt |ω|`; a step turns the body by a fiftieth at most.
 //!
+//! # Joints
+//!
+//! Hinges, sliders and ball joints to each other and to the ground are exact constraints in time ([`Joints`], `jointed.rs`).
+//!
 //! # At rest
 //!
 //! Unknowns are displacements along free directions and turns about the principal axes, in which masses are diagonal. A dead force f at an arm a
@@ -37,6 +41,7 @@
 //! |---|---|
 //! | mass, centre and inertia of a closed surface, exactly | `mass.rs` |
 //! | Euler's top: momentum, energy, order two, a symmetric top's precession | `tests/march.rs` |
+//! | joints: momentum, a pendulum of large amplitude, a chain, a crank | `tests/jointed.rs` |
 //! | tangent against differences of forces; frequencies on springs | `tests/at_rest.rs` |
 #![warn(missing_docs)]
 
@@ -47,6 +52,7 @@ mod error;
 mod forces;
 mod inside;
 mod joined;
+mod jointed;
 mod march;
 mod mass;
 mod shapes;
@@ -58,6 +64,7 @@ pub use at_rest::RestingBody;
 pub use body::{Parts, RigidBody};
 pub use conditions::{Load, RotationHold, Spring, Support};
 pub use error::RigidError;
+pub use jointed::{Joint, JointKind, Joints};
 pub use mass::{MassProperties, Outline};
 pub use shapes::{ball, cuboid};
 pub use wet_points::WetPoints;

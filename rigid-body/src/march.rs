@@ -7,7 +7,7 @@ use explicit_dynamics::{
 use nalgebra::Vector6;
 use sph_core::{Vec3, rotated};
 
-use crate::body::RigidBody;
+use crate::body::{Motion, RigidBody};
 use crate::conditions::{RotationHold, Wrench};
 use crate::forces::stacked;
 
@@ -24,17 +24,11 @@ impl Dynamics for RigidBody {
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        let (kick, decay) = (step.kick, step.decay());
+        let kick = step.kick;
         let push = self.external - self.internal;
         let [old, old_spin] = [self.motion.velocity, self.motion.spin];
-        let kicked = |old: &Vec3, push: &Vec3| (old * decay.before + push * kick) * decay.after;
-        let mut new = kicked(&old, &(push.force / self.mass));
-        let mut new_spin = self.resisted(&kicked(&old_spin, &push.moment));
-        let supported = !self.hold.held.basis().is_empty() || self.hold.rotation != RotationHold::Free;
-        if supported {
-            new = self.hold.free_part(&new);
-            self.prescribe(step, &mut new, &mut new_spin);
-        }
+        let [new, new_spin] = self.kicked(step, &push);
+        let supported = self.is_supported();
         (self.motion.velocity, self.motion.spin) = (new, new_spin);
         let [mean, mean_spin] = [(old + new) * 0.5, self.spin_of(&((old_spin + new_spin) * 0.5))];
         let [change, change_spin] = [new - old, self.spin_of(&(new_spin - old_spin))];
@@ -67,22 +61,7 @@ impl Dynamics for RigidBody {
     }
 
     fn drift(&mut self, step: &Step) {
-        let dt = step.drift();
-        self.motion.pole += self.motion.velocity * dt;
-        match self.hold.rotation {
-            RotationHold::Free => {
-                let theta = self.middle_spin(dt) * dt;
-                self.motion.turned += self.motion.turn.axes() * theta;
-                self.motion.turn = self.motion.turn.turned_about_own(&theta);
-            }
-            _ => {
-                let spin = self.spin();
-                let theta = spin * dt;
-                self.motion.turned += theta;
-                self.motion.turn = self.motion.turn.turned(&theta);
-                self.motion.spin = self.inertia_times(&spin);
-            }
-        }
+        self.motion = self.drifted(self.motion, step.drift());
     }
 
     /// That of its springs on the masses of their particles, of what its wet points resist, its present turns and the longest step.
@@ -124,6 +103,51 @@ impl Dynamics for RigidBody {
 }
 
 impl RigidBody {
+    fn is_supported(&self) -> bool {
+        !self.hold.held.basis().is_empty() || self.hold.rotation != RotationHold::Free
+    }
+
+    /// Velocity and moment of momentum behind a kick, of what pushes it, its supports put in.
+    pub(crate) fn kicked(&self, step: &Step, push: &Wrench) -> [Vec3; 2] {
+        let (kick, decay) = (step.kick, step.decay());
+        let kicked = |old: &Vec3, push: &Vec3| (old * decay.before + push * kick) * decay.after;
+        let mut new = kicked(&self.motion.velocity, &(push.force / self.mass));
+        let mut new_spin = self.resisted(&kicked(&self.motion.spin, &push.moment));
+        if self.is_supported() {
+            new = self.hold.free_part(&new);
+            self.prescribe(step, &mut new, &mut new_spin);
+        }
+        [new, new_spin]
+    }
+
+    /// A motion as the drift of a span leaves it.
+    pub(crate) fn drifted(&self, mut motion: Motion, dt: f64) -> Motion {
+        motion.pole += motion.velocity * dt;
+        let axes = motion.turn.axes();
+        match self.hold.rotation {
+            RotationHold::Free => {
+                let theta = self.middle_spin(&axes.tr_mul(&motion.spin), dt) * dt;
+                motion.turned += axes * theta;
+                motion.turn = motion.turn.turned_about_own(&theta);
+            }
+            _ => {
+                let spin = axes * axes.tr_mul(&motion.spin).component_div(&self.moments);
+                let theta = spin * dt;
+                motion.turned += theta;
+                motion.turn = motion.turn.turned(&theta);
+                let axes = motion.turn.axes();
+                motion.spin = axes * self.moments.component_mul(&axes.tr_mul(&spin));
+            }
+        }
+        motion
+    }
+
+    /// Takes up an impulse at once, but for what supports hold.
+    pub(crate) fn strike(&mut self, impulse: &Wrench) {
+        self.motion.velocity += self.hold.free_part(&impulse.force) / self.mass;
+        self.motion.spin += self.resisted(&impulse.moment);
+    }
+
     /// The step that turns it by a fiftieth of a radian: by its moment of momentum over the least inertia, which a free motion keeps \[T\].
     fn turning_step(&self) -> f64 {
         TURN * self.moments.min() / self.motion.spin.norm()
@@ -153,12 +177,11 @@ impl RigidBody {
         }
     }
 
-    /// Spin in principal axes by which a free motion turns over a step: `Ω½ = J₀⁻¹ exp(−½Δt Ω½) Qᵀ L`.
-    fn middle_spin(&self, dt: f64) -> Vec3 {
-        let momentum = self.motion.turn.axes().tr_mul(&self.motion.spin);
+    /// Spin in principal axes by which a free motion of this moment of momentum in them turns over a step: `Ω½ = J₀⁻¹ exp(−½Δt Ω½) Qᵀ L`.
+    fn middle_spin(&self, momentum: &Vec3, dt: f64) -> Vec3 {
         let mut middle = momentum.component_div(&self.moments);
         for _ in 0..ROUNDS {
-            let next = rotated(&momentum, &(middle * (-0.5 * dt))).component_div(&self.moments);
+            let next = rotated(momentum, &(middle * (-0.5 * dt))).component_div(&self.moments);
             let settled = next == middle;
             middle = next;
             if settled {

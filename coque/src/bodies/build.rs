@@ -38,7 +38,10 @@ impl Checked {
         }
         // A shell has its tools itself.
         let has_tools = |of: &BodyInScene<'_>| of.as_shell().is_none() && !of.body.tools().is_empty();
-        if bodies.len() > 1 || bodies.iter().any(has_tools) {
+        if bodies.len() > 1
+            || !(self.links.is_empty() && self.joints.is_empty())
+            || bodies.iter().any(has_tools)
+        {
             return together_model(self, &bodies, threads);
         }
         let scene = &self.first_body()?;

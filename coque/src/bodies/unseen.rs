@@ -7,6 +7,7 @@ use super::outline::Outline;
 use crate::scene::Scene;
 use crate::scene::glued::glued;
 use crate::scene::joints::joints;
+use crate::scene::linked::links;
 
 /// Pairs of bodies of a scene between which it names no contact, and shells that do not touch themselves.
 #[derive(Debug)]
@@ -18,7 +19,7 @@ pub(crate) struct Unseen {
 #[derive(Debug)]
 struct Pair {
     of: [usize; 2],
-    /// Whether springs or glue join them.
+    /// Whether springs, links or glue join them.
     joined: bool,
 }
 
@@ -31,6 +32,7 @@ impl Unseen {
             0 | 1 => Vec::new(),
             _ => glued(scene).unwrap_or_default(),
         };
+        let links = links(scene).unwrap_or_default();
         let name = |number: usize| outlines[number].name.as_deref();
         let touch = |i: usize, j: usize| {
             let [of_i, of_j] = [i, j].map(|number| name(number).unwrap_or_default());
@@ -42,6 +44,7 @@ impl Unseen {
         let joined = |i: usize, j: usize| {
             let of = [i, j].map(|number| name(number).unwrap_or_default());
             joints.iter().any(|joint| joint.ends.iter().all(|(body, _)| of.contains(body)))
+                || i != j && links.iter().any(|link| of.iter().all(|body| link.is_of(body)))
                 || i != j && glue.iter().any(|glue| of.iter().all(|body| glue.is_of(body)))
         };
         let mut pairs = Vec::new();

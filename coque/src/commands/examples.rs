@@ -80,6 +80,7 @@ const EXAMPLES: [Example; 105] = [
     Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
+    Example::new("mass-between-stops", 0.1, include_str!("../../../scenes/mass-between-stops.toml")),
     Example::new("mass-on-column", 0.1, include_str!("../../../scenes/mass-on-column.toml")),
     Example::new("open-cylinder", 3.0, include_str!("../../../scenes/open-cylinder.toml")),
     Example::new("open-hole", 0.1, include_str!("../../../scenes/meshes/open-hole.toml")),
@@ -114,6 +115,7 @@ const EXAMPLES: [Example; 105] = [
     Example::new("sandwich-panel", 0.2, include_str!("../../../scenes/sandwich-panel.toml")),
     Example::new("scordelis-lo", 0.1, include_str!("../../../scenes/scordelis-lo.toml")),
     Example::new("shell-in-water", 24.0, include_str!("../../../scenes/shell-in-water.toml")),
+    Example::new("slider-crank", 0.2, include_str!("../../../scenes/slider-crank.toml")),
     Example::new("spinning-block", 0.1, include_str!("../../../scenes/spinning-block.toml")),
     Example::new("stepped-plate", 0.1, include_str!("../../../scenes/stepped-plate.toml")),
     Example::new(

@@ -111,7 +111,7 @@ const ROWS: &[Row] = &[
         &["geometry", "section", "", "bodies"],
         NotYet {
             feature: "beams and bars",
-            nearest: "strips of shell joined by a mesh of several sheets or by [[ties]], and springs, `spring = { … }`",
+            nearest: "strips of shell joined by a mesh of several sheets or by [[ties]]; cables without a mass of their own, [[links]] with bears = \"tension\", and springs, `spring = { … }`",
         },
     ),
     (

@@ -11,6 +11,7 @@ use super::error::SceneError;
 use super::glued::glued;
 use super::imperfection::Imperfection;
 use super::joints::joints;
+use super::linked::links;
 use super::loads::Load;
 use super::output::Output;
 use super::owner::Owner;
@@ -82,8 +83,10 @@ pub(crate) struct BodyInScene<'a> {
     pub together: bool,
     /// Whether it is built together with a fluid, or is one.
     pub in_fluid: bool,
-    /// Whether a spring or glue joins it to another body.
+    /// Whether a spring, a link or glue joins it to another body, or a link to the ground.
     pub joined: bool,
+    /// Whether a link does.
+    pub linked: bool,
     /// Whether glue does.
     pub glued: bool,
 }
@@ -99,6 +102,7 @@ impl<'a> BodyInScene<'a> {
             in_fluid && matches!(body, BodyScene::Shell(_) | BodyScene::Solid(_) | BodyScene::Rigid(_));
         let joints = joints(scene)?;
         let glued = together && glued(scene)?.iter().any(|glue| glue.is_of(name));
+        let linked = links(scene)?.iter().any(|link| link.is_of(name));
         let mut supports = on_body(scene, name, "supports", &scene.supports, |support| &support.on)?;
         supports.retain(|support| joints.iter().all(|joint| joint.path != support.path));
         let sets = scene.sets.iter().map(|(name, region)| (name.as_str(), region));
@@ -119,7 +123,10 @@ impl<'a> BodyInScene<'a> {
                 .collect(),
             together,
             in_fluid,
-            joined: glued || joints.iter().any(|joint| joint.ends.iter().any(|(body, _)| *body == name)),
+            linked,
+            joined: glued
+                || linked
+                || joints.iter().any(|joint| joint.ends.iter().any(|(body, _)| *body == name)),
             glued,
         })
     }
@@ -180,13 +187,19 @@ impl<'a> BodyInScene<'a> {
         }
     }
 
+    /// Whether something else than its own supports and loads acts on it: other bodies, or links.
+    pub(crate) fn is_united(&self) -> bool {
+        self.together || !self.scene.links.is_empty()
+    }
+
     /// Number of the support whose motion is all that drives an analysis that seeks the force along it.
     ///
     /// That it acts on one particle is known only after building; on more their displacement is prescribed.
     pub(crate) fn sole_motion(&self) -> Option<usize> {
         let mut motions = (0..self.supports.len()).filter(|&i| self.supports[i].motion().is_some());
         let first = motions.next().filter(|&i| self.supports[i].moved.is_some());
-        let alone = self.loads.is_empty() && motions.next().is_none() && !self.may_touch() && !self.together;
+        let alone =
+            self.loads.is_empty() && motions.next().is_none() && !self.may_touch() && !self.is_united();
         // All cases share what is free.
         let alone = alone && self.supports.iter().all(|support| support.case.is_none());
         first.filter(|_| alone && self.analysis.kind().seeks_force)

@@ -11,7 +11,7 @@ are those of the unloaded shell, or of the preloaded one: other loads change not
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 40] = [
+const ROWS: [(&str, &str, &str); 42] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -44,6 +44,12 @@ const ROWS: [(&str, &str, &str); 40] = [
         "supports",
         "on = 'u1', spring = { direction = [0, 0, 1], stiffness = 1, to = 'u0' }",
     ),
+    (
+        "`links`, a cable to the ground",
+        "links",
+        "on = 'u1', point = [1, 0, 1], stiffness = 1, bears = 'tension'",
+    ),
+    ("`links`, a dashpot", "links", "on = 'u1', direction = [0, 0, 1], damping = 1"),
     ("`force`", "loads", "on = 'u1', force = { total = [0, 0, 1] }"),
     ("`couple`", "loads", "on = 'u1', couple = { moment = 1, axis = 'edge' }"),
     ("`pressure`, dead", "loads", "on = 'all', pressure = { value = 1 }"),
@@ -161,6 +167,7 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
     match table {
         "supports" => supports.push(format!("{{ {says} }}")),
         "loads" | "preload" => loads.push(format!("{{ {says} }}")),
+        "links" => own = format!("links = [{{ {says} }}]"),
         "initial_stress" => own = format!("initial_stress = [{{ {says} }}]"),
         _ if of_solid => own = format!("bodies.block.solid.velocity = {{ {says} }}"),
         _ => own = format!("velocity = {{ {says} }}"),

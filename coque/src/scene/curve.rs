@@ -82,6 +82,7 @@ impl Take {
             | Measured::ContactForce
             | Measured::ContactMoment
             | Measured::GlueForce
+            | Measured::LinkForce
             | Measured::TouchingArea
             | Measured::FractureEnergy
             | Measured::FrictionLoss
@@ -132,6 +133,8 @@ pub enum Measured {
     TouchingArea,
     /// Component of the force that glue exerts on the body \[F\].
     GlueForce,
+    /// Component of the force that links exert on the body \[F\].
+    LinkForce,
     /// Component of the way from where glue holds a particle to where it is \[L\]: of particles of sets that are glued.
     GlueGap,
     /// Energy that friction has taken of a body \[F L\]: on tools, and one half of what it took where it rubs on another or, a shell, on itself.
@@ -229,6 +232,7 @@ impl Measured {
             Self::GreatestDepth => "greatest-depth",
             Self::TouchingArea => "touching-area",
             Self::GlueForce => "glue-force",
+            Self::LinkForce => "link-force",
             Self::GlueGap => "glue-gap",
             Self::FrictionLoss => "friction-loss",
             Self::PlasticStrain => "plastic-strain",
@@ -280,9 +284,12 @@ impl Measured {
             | Self::Thickness
             | Self::Level
             | Self::WetLength => Quantity::Length,
-            Self::Reaction | Self::ContactForce | Self::GlueForce | Self::Force | Self::SectionForce => {
-                Quantity::Force
-            }
+            Self::Reaction
+            | Self::ContactForce
+            | Self::GlueForce
+            | Self::LinkForce
+            | Self::Force
+            | Self::SectionForce => Quantity::Force,
             Self::Rotation | Self::PrincipalAngle => Quantity::Angle,
             Self::Director
             | Self::Damage

@@ -14,9 +14,11 @@ use super::coupling::Coupling;
 use super::curve::{Measured, Probe};
 use super::fluid::FluidScene;
 use super::glue::GlueScene;
+use super::links::LinkScene;
 use super::loads::Load;
 use super::output::{ErrorBars, Output};
 use super::rigid::RigidScene;
+use super::rigid_joints::JointScene;
 use super::scope::Scope;
 use super::sets::Region;
 use super::shell::ShellScene;
@@ -66,6 +68,12 @@ pub struct Scene {
     /// Sets of bodies that are glued to the surfaces of others.
     #[serde(default)]
     pub glue: Vec<GlueScene>,
+    /// Springs by a table, cables, gaps and dashpots between sets and to the ground.
+    #[serde(default)]
+    pub links: Vec<LinkScene>,
+    /// Hinges, sliders and ball joints of rigid bodies.
+    #[serde(default)]
+    pub joints: Vec<JointScene>,
     /// How to find answers.
     pub analysis: Analysis,
     /// How a fluid and the structures in it take turns.
@@ -211,7 +219,10 @@ impl Scene {
         let supports = self.supports.iter_mut().flat_map(Support::sets_mut);
         let loads = self.loads.iter_mut().map(|load| &mut load.on);
         let columns = self.curve.iter_mut().map(|column| &mut column.on);
-        for on in supports.chain(loads).chain(columns).filter(|on| !self.sets.contains_key(*on)) {
+        let links =
+            self.links.iter_mut().flat_map(|LinkScene { on, to, .. }| std::iter::once(on).chain(to.as_mut()));
+        for on in supports.chain(loads).chain(columns).chain(links).filter(|on| !self.sets.contains_key(*on))
+        {
             if let Some(set) = own_name(body, on) {
                 *on = set.into();
             }

@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 use super::loads::Load;
 use super::problem::Scene;
 use super::record::Record;
+use super::rigid_joints::JointScene;
 use super::shell::ShellScene;
 use super::supports::Support;
 
@@ -24,6 +25,8 @@ pub fn schema() -> Value {
         exactly_one(types, "Fracture", &["energy", "stretch"]);
         exactly_one(types, "Explicit", &["quasi-static", "transient"]);
         exactly_one(types, "ArcLength", &["until", "stop"]);
+        exactly_one(types, "JointScene", &JointScene::WORDS);
+        exactly_one(types, "LinkScene", &["stiffness", "table", "damping"]);
         several(types, "Support", "on");
         several(types, "Spring", "to");
         several(types, "Load", "on");

@@ -7,8 +7,10 @@ mod common;
 
 mod friction;
 mod glue;
+mod links;
 mod own_contact;
 mod rigid_bodies;
+mod rigid_joints;
 mod rubbing;
 mod rubbing_solids;
 mod seen_contact;

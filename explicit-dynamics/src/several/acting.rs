@@ -42,6 +42,10 @@ impl Acting {
         }
         self.interaction.put(at);
         self.see(systems);
+        if self.interaction.damps() {
+            read(systems, &self.particles, &self.ranges, &mut self.before);
+            self.interaction.see(at, &self.before);
+        }
         let Self { interaction, particles, ranges, places, forces, .. } = self;
         let energy = interaction.evaluate(places, forces);
         for ((system, particles), range) in systems.iter_mut().zip(&*particles).zip(&*ranges) {
@@ -145,6 +149,10 @@ impl Acting {
             }
         }
         work.external -= kick * done;
+        if self.interaction.damps() {
+            work.dissipated -= kick * done;
+            return;
+        }
         work.dissipated += self.interaction.lost();
         work.resisted -= kick * gave_way;
     }
@@ -152,6 +160,11 @@ impl Acting {
     /// A bound of the square of its highest frequency on the masses of the systems \[1/T²\].
     pub fn fastest<S: Joinable + ?Sized>(&self, systems: &[Box<S>]) -> f64 {
         self.interaction.fastest(&self.masses_of(systems))
+    }
+
+    /// A bound of the rate at which it lets motions of the systems decay \[1/T\].
+    pub fn damping<S: Joinable + ?Sized>(&self, systems: &[Box<S>]) -> f64 {
+        if self.interaction.damps() { self.interaction.damping(&self.masses_of(systems)) } else { 0.0 }
     }
 
     fn masses_of<S: Joinable + ?Sized>(&self, systems: &[Box<S>]) -> Vec<f64> {

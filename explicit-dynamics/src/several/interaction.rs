@@ -63,6 +63,19 @@ pub trait Interaction: Any + Send {
     /// Fills in the forces at present places; returns its energy \[F L\].
     fn evaluate(&mut self, places: &[[f64; 3]], forces: &mut [[f64; 3]]) -> f64;
 
+    /// Whether its forces are those of velocities and take energy out: it has none of its own, and what they do is dissipated.
+    fn damps(&self) -> bool {
+        false
+    }
+
+    /// Shows velocities to one that damps before each evaluation: those before the kick of the step that starts at the instant.
+    fn see(&mut self, _at: Instant, _velocities: &[[f64; 3]]) {}
+
+    /// A bound of the rate at which it lets motions of places of these masses decay \[1/T\]; none but of one that damps.
+    fn damping(&self, _masses: &[f64]) -> f64 {
+        0.0
+    }
+
     /// Fills in the forces that resist a small motion at places, those last evaluated, `∂²U/∂x² u`.
     fn resist(&self, places: &[[f64; 3]], motion: &[[f64; 3]], forces: &mut [[f64; 3]]);
 

@@ -87,7 +87,8 @@ impl Interactions {
         each.fold(stable, f64::min)
     }
 
-    /// The stable step of systems that have this one without them: `λ_max(A + B) ≤ λ_max(A) + λ_max(B)`.
+    /// The stable step of systems that have this one without them: `λ_max(A + B) ≤ λ_max(A) + λ_max(B)`, and with rates of decay λ the root of
+    /// `s² (Δt/Δt₀)² + λ Δt = s²`.
     pub(crate) fn stable_step<S: Joinable + ?Sized>(
         &self,
         systems: &[Box<S>],
@@ -98,7 +99,13 @@ impl Interactions {
             return alone;
         }
         let between: f64 = self.acting.iter().map(|acting| acting.fastest(systems)).sum();
-        2.0 * safety / ((2.0 * safety / alone).powi(2) + between).sqrt()
+        let undamped = 2.0 * safety / ((2.0 * safety / alone).powi(2) + between).sqrt();
+        let rate: f64 = self.acting.iter().map(|acting| acting.damping(systems)).sum();
+        if rate == 0.0 {
+            return undamped;
+        }
+        let half = 0.5 * rate / (safety * safety);
+        1.0 / ((undamped.powi(-2) + half * half).sqrt() + half)
     }
 
     /// Refuses a state outside the range of one of them.

@@ -106,6 +106,10 @@ impl Body for Coupled {
                 Measured::Density => fluid.densities()[a],
                 _ => 0.0,
             },
+            Place::Structure(k, a) if of == Measured::LinkForce => {
+                let links = self.layout.links.clone();
+                links.map(|number| self.clocks.force_on(number, k, a)).sum::<Vec3>().dot(along)
+            }
             Place::Structure(k, a) => self.clocks.read(&self.layout.contacts, of, [k, a], along),
             Place::Wall(piece, a) => match of {
                 Measured::Position => self.looked_at((piece, a)).dot(along),

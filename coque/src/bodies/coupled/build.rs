@@ -20,7 +20,7 @@ use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::memory::check_memory;
 use crate::bodies::refusal::model_error;
 use crate::bodies::together::{
-    self, BetweenBodies, OnTool, SetsOfBodies, Side, TouchingBodies, contacts, on_tools,
+    self, AllLinks, BetweenBodies, OnTool, SetsOfBodies, Side, TouchingBodies, contacts, on_tools,
 };
 use crate::bodies::{BuiltBody, Description, Memory, Model, Ready};
 use crate::scene::body_in_scene::{BodyInScene, gravity_on};
@@ -58,7 +58,9 @@ pub(in crate::bodies) fn coupled_model(
     let placed: Vec<_> = placed.map(|((_, wet), range)| (wet.scene, &built.rest[range.clone()])).collect();
     let on_tools = on_tools(&placed, &sides)?;
     built.layout.contacts = 0..contacts.len() + on_tools.len();
-    let joints = joints_between(of_fluid, &wets)?;
+    let (joints, links) = joints_between(of_fluid, &wets)?;
+    let first = built.layout.contacts.end + usize::from(joints.is_some());
+    built.layout.links = first..first + links.len();
     let (watch, unseen) = watched(wanted, &fluid, &walls, &wets, &built.layout)?;
     let probes = {
         let own = wets.iter_mut().map(|(_, wet)| std::mem::take(&mut wet.made.probes)).collect();
@@ -96,6 +98,7 @@ pub(in crate::bodies) fn coupled_model(
     description.modelled.extend(contacts.iter().map(TouchingBodies::line));
     description.modelled.extend(on_tools.iter().map(OnTool::line));
     description.modelled.extend(joints.as_ref().map(BetweenBodies::line));
+    description.modelled.extend(links.lines());
     let memory = together(memory, &made);
     let identity = identity(&made);
     let mut structures: Vec<Box<dyn Structure>> = Vec::new();
@@ -108,8 +111,8 @@ pub(in crate::bodies) fn coupled_model(
     let contacts = contacts.into_iter().map(|own| Box::new(own) as Box<dyn Interaction>);
     let on_tools = on_tools.into_iter().map(|own| Box::new(own) as Box<dyn Interaction>);
     let joints = joints.map(|own| Box::new(own) as Box<dyn Interaction>);
-    let mut clocks =
-        TwoClocks::new(fluid, structures).with_interactions(contacts.chain(on_tools).chain(joints).collect());
+    let all = contacts.chain(on_tools).chain(joints).chain(links.marched());
+    let mut clocks = TwoClocks::new(fluid, structures).with_interactions(all.collect());
     clocks.order = coupling.order;
     clocks.impedance = coupling.impedance;
     let CoupledParts { layout, rest, cells } = built;
@@ -130,17 +133,18 @@ pub(in crate::bodies) fn coupled_model(
     Ok(Model { sets, ..made.model(scene, threads) })
 }
 
-/// Springs between structures.
+/// Springs between structures, and links.
 fn joints_between(
     of_fluid: &BodyInScene<'_>,
     wets: &[(&str, WettedBody<'_>)],
-) -> Result<Option<BetweenBodies>, SceneError> {
+) -> Result<(Option<BetweenBodies>, AllLinks), SceneError> {
     let (mut layout, mut sets) = (together::Layout::default(), SetsOfBodies::new());
     for (name, wet) in wets {
         layout.add(name, &*wet.made.body, 0);
         sets.insert((*name).to_string(), wet.made.sets.clone());
     }
-    BetweenBodies::find(of_fluid.scene, &layout, &sets)
+    let scene = of_fluid.scene;
+    Ok((BetweenBodies::find(scene, &layout, &sets)?, AllLinks::find(scene, &layout, &sets)?))
 }
 
 /// The rows of all walls.

@@ -26,6 +26,8 @@ pub(super) struct Layout {
     pub walls: Vec<Range<usize>>,
     /// Which of the interactions of structures are contacts.
     pub contacts: Range<usize>,
+    /// Which of them are links.
+    pub links: Range<usize>,
     /// Gauges: pressures, levels and fluxes are read there.
     pub gauges: Vec<Gauge>,
 }

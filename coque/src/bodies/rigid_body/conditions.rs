@@ -132,8 +132,13 @@ pub(super) fn probes(scene: &BodyInScene<'_>, sets: &Sets, vertices: u32) -> Vec
             column.of,
             Measured::ContactForce | Measured::ContactMoment | Measured::FrictionLoss | Measured::GlueForce
         );
-        let whole = of_contact && column.on == "all";
-        let places = if whole { (0..vertices).collect() } else { members(sets, column.on).to_vec() };
+        let linked = column.of == Measured::LinkForce;
+        let whole = (of_contact || linked) && column.on == "all";
+        let places = if whole {
+            (0..vertices + u32::from(linked)).collect()
+        } else {
+            members(sets, column.on).to_vec()
+        };
         let direction = column.direction.map_or_else(Vec3::zeros, |v| Vec3::from(v).normalize());
         Probe::of_column(scene.scene, column, places, direction)
     };

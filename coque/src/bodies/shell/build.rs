@@ -131,7 +131,7 @@ pub(super) fn assemble(
         threads,
     };
     // Files may stand anywhere, and a part of several bodies shares its places with the others.
-    let far = imported.is_some() && !scene.together;
+    let far = imported.is_some() && !scene.together && scene.scene.links.is_empty();
     let origin = if far { origin_of(&parts.cloud) } else { Vec3::zeros() };
     let mut shell = Shell::builder(parts)
         .regions(sections.regions)

@@ -174,7 +174,8 @@ impl StaticBody for Together<Balanced> {
     }
 
     fn opens_and_closes(&self) -> bool {
-        !self.layout.contacts.is_empty() || self.system.systems().iter().any(|part| part.opens_and_closes())
+        !(self.layout.contacts.is_empty() && self.layout.links.is_empty())
+            || self.system.systems().iter().any(|part| part.opens_and_closes())
     }
 
     fn slips(&self) -> bool {

@@ -7,6 +7,7 @@ use contact::NodalContact;
 use sph_core::Vec3;
 
 use super::glue::GluedBodies;
+use super::jointed::JointedBodies;
 use super::kept::{kept_between, take_up_between};
 use super::layout::Layout;
 use super::parts::Parts;
@@ -19,6 +20,8 @@ use crate::scene::Measured;
 /// Bodies that are solved together, with their places one behind the other.
 pub(super) struct Together<S> {
     pub system: S,
+    /// Joints of rigid bodies, in time.
+    pub joints: Option<JointedBodies>,
     pub layout: Layout,
 }
 
@@ -39,6 +42,10 @@ impl<S: Parts> Body for Together<S> {
             Measured::GlueGap => {
                 let all = glue.filter_map(|number| self.system.glued(number));
                 all.map(|glue| glue.gap(body, own as u32)).sum::<Vec3>().dot(along)
+            }
+            Measured::LinkForce => {
+                let links = self.layout.links.clone();
+                links.map(|number| self.system.force_on(number, body, own)).sum::<Vec3>().dot(along)
             }
             _ => self.system.read(&self.layout.contacts, of, [body, own], along),
         }

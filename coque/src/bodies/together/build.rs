@@ -11,8 +11,10 @@ use super::body::Together;
 use super::contact::{Side, TouchingBodies};
 use super::faces::Faces;
 use super::glue::{Bodies, GluedBodies};
+use super::jointed::JointedBodies;
 use super::joints::{BetweenBodies, SetsOfBodies};
 use super::layout::Layout;
+use super::links::AllLinks;
 use super::on_tool::OnTool;
 use super::parts::{Balanced, BalancedPart, Marched, MarchedPart};
 use super::sides::{of_bonds, of_galerkin, of_rigid, of_shell};
@@ -67,6 +69,7 @@ pub(in crate::bodies) fn together_model(
         sets.insert((*name).to_string(), std::mem::take(&mut part.sets));
     }
     let joints = BetweenBodies::find(scene, &layout, &sets)?;
+    let links = AllLinks::find(scene, &layout, &sets)?;
     let contacts = contacts(scene, &layout.names, &sides)?;
     let mut glue = Bodies { scene, layout: &layout, sets: &sets, faces: &faces }.glued()?;
     let rest = |(body, range): (_, &Range<usize>)| (body, &layout.rest[range.clone()]);
@@ -87,6 +90,8 @@ pub(in crate::bodies) fn together_model(
         contacts.iter().map(TouchingBodies::line).chain(on_tools.iter().map(OnTool::line)),
     );
     description.modelled.extend(glue.iter().map(GluedBodies::line));
+    description.modelled.extend(links.lines());
+    description.modelled.extend(JointedBodies::line(scene));
     refuse_modes(scene, description.dof)?;
     let memory = made.iter().fold(Memory::default(), |sum, (_, part)| Memory {
         needed: sum.needed + part.memory.needed,
@@ -116,6 +121,7 @@ pub(in crate::bodies) fn together_model(
     layout.contacts =
         usize::from(joints.is_some())..usize::from(joints.is_some()) + contacts.len() + on_tools.len();
     layout.glue = layout.contacts.end..layout.contacts.end + glue.len();
+    layout.links = layout.glue.end..layout.glue.end + links.len();
     let body = match &scene.analysis {
         Analysis::Explicit(_) => {
             pace(&mut glue, &mut marched);
@@ -123,9 +129,10 @@ pub(in crate::bodies) fn together_model(
             let touching = contacts.into_iter().map(|own| Box::new(own) as _);
             let on_tools = on_tools.into_iter().map(|own| Box::new(own) as _);
             let glue = glue.into_iter().map(|own| Box::new(own) as _);
-            let all = springs.into_iter().chain(touching).chain(on_tools).chain(glue);
+            let all = springs.into_iter().chain(touching).chain(on_tools).chain(glue).chain(links.marched());
+            let jointed = JointedBodies::find(scene, &mut marched);
             let system = Marched::new(marched, all.collect());
-            Ready::Dynamic(Box::new(Together { system, layout }))
+            Ready::Dynamic(Box::new(Together { system, layout, joints: jointed }))
         }
         _ => {
             for own in &mut glue {
@@ -135,9 +142,9 @@ pub(in crate::bodies) fn together_model(
             let touching = contacts.into_iter().map(|own| Box::new(own) as _);
             let on_tools = on_tools.into_iter().map(|own| Box::new(own) as _);
             let glue = glue.into_iter().map(|own| Box::new(own) as _);
-            let all = springs.into_iter().chain(touching).chain(on_tools).chain(glue);
+            let all = springs.into_iter().chain(touching).chain(on_tools).chain(glue).chain(links.balanced());
             let system = Balanced::new(balanced, all.collect());
-            Ready::Static(Box::new(Together { system, layout }))
+            Ready::Static(Box::new(Together { system, layout, joints: None }))
         }
     };
     let (driven, judge) = (None, Some(judge_each(judges)));

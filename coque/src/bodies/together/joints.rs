@@ -7,7 +7,7 @@ use sph_core::Vec3;
 
 use super::layout::Layout;
 use crate::scene::error::SceneError;
-use crate::scene::joints::{JointInScene, joints};
+use crate::scene::joints::joints;
 use crate::scene::owner::Owner;
 use crate::scene::{Analysis, Scene};
 
@@ -73,10 +73,11 @@ impl BetweenBodies {
     pub fn find(scene: &Scene, layout: &Layout, sets: &SetsOfBodies) -> Result<Option<Self>, SceneError> {
         let mut pairs: Vec<([u32; 2], f64, Vec3)> = Vec::new();
         for joint in joints(scene)? {
-            let [ends, others] = [0, 1].map(|end| places(scene, &joint, end, layout, sets));
-            let (ends, others) = (ends?, others?);
+            let (on, to) = (format!("{}.on", joint.path), format!("{}.spring.to", joint.path));
+            let ends = places(scene, &on, joint.ends[0], layout, sets)?;
+            let others = places(scene, &to, joint.ends[1], layout, sets)?;
             refuse_moved(scene, [&ends, &others], layout, sets)?;
-            let found = paired(scene, &joint, [&ends, &others], layout)?;
+            let found = paired(scene, &to, joint.ends[1], [&ends, &others], layout)?;
             let each = joint.spring.stiffness.get() / found.len() as f64;
             let direction = Vec3::from(joint.spring.direction.unwrap_or_default()).normalize();
             pairs.extend(found.into_iter().map(|ends| (ends, each, direction)));
@@ -96,11 +97,7 @@ impl BetweenBodies {
         let springs: Vec<Joint> = springs.collect();
         let count = springs.len();
         let springs = Joints::new(springs, rest);
-        let own = |range: &std::ops::Range<usize>| {
-            let inside = touched.iter().map(|&particle| particle as usize).filter(|a| range.contains(a));
-            inside.map(|particle| (particle - range.start) as u32).collect()
-        };
-        let particles = layout.particles.iter().map(own).collect();
+        let particles = layout.of_each(&touched);
         Ok(Some(Self { particles, springs, count }))
     }
 }
@@ -113,20 +110,18 @@ pub(super) fn members(layout: &Layout, sets: &SetsOfBodies, body: &str, set: &st
     own.into_iter().flatten().map(|particle| first + particle).collect()
 }
 
-/// Particles of all at an end, one for each place.
-fn places(
+/// Particles of all in the set of a body that is named at a path, one for each place.
+pub(super) fn places(
     scene: &Scene,
-    joint: &JointInScene<'_>,
-    end: usize,
+    path: &str,
+    (body, set): (&str, &str),
     layout: &Layout,
     sets: &SetsOfBodies,
 ) -> Result<Vec<u32>, SceneError> {
-    let (body, set) = joint.ends[end];
     let all = members(layout, sets, body, set);
     if all.is_empty() {
-        let path = format!("{}.{}", joint.path, ["on", "spring.to"][end]);
         let (value, repair) = (format!("\"{body}.{set}\""), "name another set of that body");
-        return Err(SceneError::Set(scene.source.fault(&path, &value, "which has no particle", repair)));
+        return Err(SceneError::Set(scene.source.fault(path, &value, "which has no particle", repair)));
     }
     Ok(distinct(layout, all))
 }
@@ -141,18 +136,17 @@ pub(super) fn distinct(layout: &Layout, mut all: Vec<u32>) -> Vec<u32> {
     all
 }
 
-/// Each place of a set with the nearest of the other: all of both, each once.
-fn paired(
+/// Each place of a set with the nearest of the other, which is named at a path: all of both, each once.
+pub(super) fn paired(
     scene: &Scene,
-    joint: &JointInScene<'_>,
+    path: &str,
+    (body, set): (&str, &str),
     [ends, others]: [&[u32]; 2],
     layout: &Layout,
 ) -> Result<Vec<[u32; 2]>, SceneError> {
-    let path = format!("{}.spring.to", joint.path);
-    let (body, set) = joint.ends[1];
     let refuse = |value: String, bound: String| {
         let repair = "name two sets of as many places that face each other, or one place of each";
-        Err(SceneError::Set(scene.source.fault(&path, &value, &bound, repair)))
+        Err(SceneError::Set(scene.source.fault(path, &value, &bound, repair)))
     };
     if ends.len() != others.len() {
         let value = format!("\"{body}.{set}\" with {} places", others.len());

@@ -21,6 +21,8 @@ pub(in crate::bodies) struct Layout {
     pub contacts: Range<usize>,
     /// Which of them are glue.
     pub glue: Range<usize>,
+    /// Which of them are links.
+    pub links: Range<usize>,
     /// Particles at rest, all bodies one behind the other \[L\].
     pub rest: Vec<Vec3>,
     /// Cells of all, by these numbers.
@@ -41,6 +43,15 @@ impl Layout {
         self.particles.push(first..self.rest.len());
         let sampled = self.points.last().map_or(0, |last| last.end);
         self.points.push(sampled..sampled + points);
+    }
+
+    /// Of ascending particles of all those of each body, by its own numbers.
+    pub fn of_each(&self, all: &[u32]) -> Vec<Vec<u32>> {
+        let own = |range: &Range<usize>| {
+            let inside = all.iter().map(|&particle| particle as usize).filter(|a| range.contains(a));
+            inside.map(|particle| (particle - range.start) as u32).collect()
+        };
+        self.particles.iter().map(own).collect()
     }
 
     /// The body of a particle, and its number there.

@@ -14,7 +14,10 @@ impl Dynamics for Together<Marched> {
     }
 
     fn kick(&mut self, step: &Step) -> Work {
-        self.system.kick(step)
+        match &mut self.joints {
+            Some(joints) => joints.kick(&mut self.system, step),
+            None => self.system.kick(step),
+        }
     }
 
     fn drift(&mut self, step: &Step) {
@@ -22,7 +25,13 @@ impl Dynamics for Together<Marched> {
     }
 
     fn advance(&mut self, step: &Step) -> Work {
-        self.system.advance(step)
+        if self.joints.is_none() {
+            return self.system.advance(step);
+        }
+        self.evaluate(step.from);
+        let work = self.kick(step);
+        self.drift(step);
+        work
     }
 
     fn stable_step(&mut self, safety: f64) -> Result<StableStep, MarchError> {

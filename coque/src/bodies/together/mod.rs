@@ -2,7 +2,8 @@
 //!
 //! Each keeps its own particles, conditions and files; they take the same steps or are balanced together. What they do to each other goes
 //! through one place: an `Interaction` of explicit-dynamics in marches, one of implicit-statics without time, which sees places of all and
-//! adds forces and, at rest, blocks of the tangent: springs between sets (`joints.rs`), sets that are glued to faces (`glue.rs`, `faces.rs`) and bodies that touch (`contact.rs`, found by `touched.rs`,
+//! adds forces and, at rest, blocks of the tangent: springs between sets (`joints.rs`), links
+//! between them and to the ground (`links.rs`), sets that are glued to faces (`glue.rs`, `faces.rs`) and bodies that touch (`contact.rs`, found by `touched.rs`,
 //! whose surfaces `sides.rs` finds).
 
 mod balance;
@@ -11,9 +12,11 @@ pub(super) mod build;
 mod contact;
 mod faces;
 mod glue;
+mod jointed;
 mod joints;
 mod kept;
 mod layout;
+mod links;
 mod march;
 mod moving;
 mod near;
@@ -32,6 +35,7 @@ pub(super) use contact::{Side, TouchingBodies};
 pub(super) use joints::{BetweenBodies, SetsOfBodies};
 pub(super) use kept::{kept_between, take_up_between};
 pub(super) use layout::Layout;
+pub(super) use links::AllLinks;
 pub(super) use on_tool::OnTool;
 pub(super) use parts::Parts;
 pub(super) use sides::{of_bonds, of_rigid, of_shell};

@@ -16,10 +16,13 @@ use crate::bodies::{ContactNow, FieldSource, Part};
 use crate::scene::Measured;
 use crate::scene::units::Units;
 
-/// A body that is marched beside others.
-pub(in crate::bodies) trait MarchedPart: DynamicBody + explicit_dynamics::Joinable {}
+/// A body that is marched beside others; whoever made it may read it again by its type.
+pub(in crate::bodies) trait MarchedPart:
+    DynamicBody + explicit_dynamics::Joinable + Any
+{
+}
 
-impl<B: DynamicBody + explicit_dynamics::Joinable> MarchedPart for B {}
+impl<B: DynamicBody + explicit_dynamics::Joinable + Any> MarchedPart for B {}
 
 /// A body whose equilibria are sought beside others.
 pub(in crate::bodies) trait BalancedPart: StaticBody + implicit_statics::Joinable {}

@@ -145,6 +145,7 @@ fn check_unit(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
 /// What can be measured on the body.
 fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     let mut known = measured_alone(scene);
+    known.extend(scene.linked.then_some(Measured::LinkForce));
     if scene.glued {
         known.push(Measured::GlueForce);
         known.extend(scene.as_rigid().is_none().then_some(Measured::GlueGap));

@@ -17,9 +17,10 @@ pub(super) fn check_imperfection(scene: &BodyInScene<'_>, s: &Scope<'_>) -> Verd
         let refuse = |value: &str, bound: &str, repair: &str| {
             Err(SceneError::Choice(s.fault("imperfection.mode", value, bound, repair)))
         };
-        if scene.together {
-            let bound = "a body alone: where several act on each other its loads are not its own";
-            return refuse("a mode of one of several bodies", bound, "remove the imperfection");
+        if scene.is_united() {
+            let bound =
+                "a body alone: where several act on each other, or links on one, its loads are not its own";
+            return refuse("a mode of a body that others act on", bound, "remove the imperfection");
         }
         if scene.has_preload() {
             let bound = "none beside a preload";

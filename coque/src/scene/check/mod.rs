@@ -14,9 +14,11 @@ mod glue;
 mod harmonic;
 mod heat;
 mod imperfection;
+mod links;
 mod made;
 mod preload;
 mod rigid;
+mod rigid_joints;
 mod rubbing;
 mod sets;
 mod several;
@@ -36,9 +38,11 @@ use self::curve::check_curve;
 use self::fluid::check_velocity_of_fluid;
 use self::glue::check_glue;
 use self::imperfection::check_imperfection;
+use self::links::check_links;
 use self::made::check_circles;
 use self::preload::check_preload;
 use self::rigid::check_rigid;
+use self::rigid_joints::check_rigid_joints;
 use self::sets::{check_set_name, check_sets};
 use self::shell::{check_parts, check_wetting};
 use self::solid::check_solid;
@@ -60,6 +64,8 @@ pub(super) fn check(scene: &Scene) -> Verdict {
     check_coupling(scene)?;
     check_contact(scene)?;
     check_glue(scene)?;
+    check_links(scene)?;
+    check_rigid_joints(scene)?;
     match scene.is_together() {
         true => check_together(scene)?,
         false => check_alone(&BodyInScene::new(scene, name, body)?)?,

@@ -9,6 +9,7 @@ mod fold_pressed;
 mod hemisphere_on_flat;
 mod incline;
 mod let_go;
+mod linked;
 mod pressed_blocks;
 mod pressed_ring;
 mod strip_lifted;
@@ -19,7 +20,7 @@ mod wrapped_strip;
 use crate::judge::Case;
 
 /// Every case, in the order of table and report.
-pub fn all() -> [Case; 15] {
+pub fn all() -> [Case; 16] {
     [
         pressed_ring::case(),
         fold_pressed::case(),
@@ -36,5 +37,6 @@ pub fn all() -> [Case; 15] {
         flap_on_sill::case(),
         pressed_blocks::case(),
         dropped::case(),
+        linked::case(),
     ]
 }

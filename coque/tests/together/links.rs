@@ -1,0 +1,384 @@
+//! Springs by a table, cables, gaps and dashpots: closed forms, against supports with springs, relations, kept and resumed, refused.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+use crate::common::refused::refused;
+use crate::common::sittings::stopped_again_and_again;
+use crate::common::{Replaced, column, last, overridden, ran, text};
+use coque::Outcome;
+
+const MASS: &str = r#"title = "A mass"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 1.0, record_every = 0.01 }
+curve = [
+    { name = "x", of = "displacement", on = "all", direction = [1, 0, 0] },
+    { name = "z", of = "displacement", on = "all", direction = [0, 0, 1] },
+    { name = "force", of = "link-force", on = "all", direction = [1, 0, 0] },
+]
+links = [{ on = "all", direction = [1, 0, 0], stiffness = 800.0 }]
+[bodies.mass.rigid]
+geometry.box = { min = [-0.1, -0.1, -0.1], max = [0.1, 0.1, 0.1], spacing = 0.1 }
+mass = 2.0
+velocity = { linear = [1.0, 0.0, 0.0] }
+"#;
+
+/// The same body at rest.
+const REST: &str =
+    "{ geometry.box = { min = [-0.1, -0.1, -0.1], max = [0.1, 0.1, 0.1], spacing = 0.1 }, mass = 2.0 }";
+const DURATION: &str = "analysis.explicit.transient.duration";
+
+fn mass(replaced: Replaced) -> Outcome {
+    ran(overridden(MASS, "mass.toml", replaced))
+}
+
+/// When a column crosses zero upwards after a time, by lines between records.
+fn crossing(outcome: &Outcome, name: &str, after: f64) -> f64 {
+    let (t, x) = (column(outcome, "time"), column(outcome, name));
+    let up = |i: &usize| t[*i] > after && x[*i] <= 0.0 && x[i + 1] > 0.0;
+    let i = (0..t.len() - 1).find(up).unwrap();
+    t[i] + (t[i + 1] - t[i]) * x[i] / (x[i] - x[i + 1])
+}
+
+/// The most by which energies of records do not add up, over the kinetic energy at the start.
+fn unbalanced(outcome: &Outcome) -> f64 {
+    let [kinetic, internal, external, dissipated] =
+        ["kinetic", "internal", "external", "dissipated"].map(|name| column(outcome, name));
+    let sum = |i: usize| kinetic[i] + internal[i] + dissipated[i] - external[i];
+    (0..kinetic.len()).map(|i| (sum(i) - sum(0)).abs()).fold(0.0, f64::max) / kinetic[0]
+}
+
+/// The complete elliptic integral of the first kind by means, `π/2 agm(1, √(1 − m))`.
+fn quarter(m: f64) -> f64 {
+    let (mut a, mut b) = (1.0_f64, (1.0 - m).sqrt());
+    for _ in 0..10 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    0.5 * std::f64::consts::PI / a
+}
+
+/// `m ẍ = −α x − β x³` has the period `4 K(m)/√((α + βA²)/M)`, `m = βA²/2(α + βA²)`. Its table of 81 points over .4 m is stiffer by its chords, which
+/// costs 2.5e-4 of the period here and 3.6e-4 of the amplitude.
+#[test]
+fn a_hardening_spring_swings_as_the_elliptic_integral_says() {
+    let (alpha, beta, heavy) = (200.0, 20000.0, 2.0);
+    let points = (0..81).map(|i| 0.005 * f64::from(i - 40)).map(|e| [e, alpha * e + beta * e * e * e]);
+    let links =
+        format!("[{{ on = \"all\", direction = [1, 0, 0], table = {:?} }}]", points.collect::<Vec<_>>());
+    let outcome = mass(&[("links", &links)]);
+    // ½ M v² = ½ α A² + ¼ β A⁴.
+    let square = (-alpha + (alpha * alpha + 2.0 * beta * heavy).sqrt()) / beta;
+    let stiff = alpha + beta * square;
+    let period = 4.0 * quarter(0.5 * beta * square / stiff) / (stiff / heavy).sqrt();
+    let found = crossing(&outcome, "x", 0.6 * period);
+    assert!((found / period - 1.0).abs() < 8e-4, "{found} {period}");
+    let most = column(&outcome, "x").into_iter().fold(0.0, f64::max);
+    assert!((most / square.sqrt() - 1.0).abs() < 1.1e-3, "{most} {}", square.sqrt());
+    assert!(unbalanced(&outcome) < 3e-7, "{}", unbalanced(&outcome));
+}
+
+/// In flight `4 g/v`, on the stops `2π √(m/k)`: a round between gaps. The same by its table. Steps of 1e-4 s leave 2.1e-7 of it, and 1e-6 of the energy.
+#[test]
+fn a_mass_bounces_between_gaps() {
+    let period = 4.0 * 0.05 + 2.0 * std::f64::consts::PI * (2.0_f64 / 800.0).sqrt();
+    let gap = "[{ on = 'all', direction = [1, 0, 0], stiffness = 800.0, gap = 0.05 }]";
+    let table = "[{ on = 'all', direction = [1, 0, 0], table = [[-1.05, -800], [-0.05, 0], [0.05, 0], [1.05, 800]] }]";
+    let sided = "[{ on = 'all', direction = [1, 0, 0], stiffness = 800.0, gap = 0.05, bears = 'tension' },
+                  { on = 'all', direction = [1, 0, 0], stiffness = 800.0, gap = 0.05, bears = 'compression' }]";
+    let [gap, table, sided] = [gap, table, sided].map(|links| mass(&[("links", links)]));
+    let found = crossing(&gap, "x", 0.6 * period);
+    assert!((found / period - 1.0).abs() < 7e-7, "{found} {period}");
+    assert!(unbalanced(&gap) < 3e-6, "{}", unbalanced(&gap));
+    for other in [&table, &sided] {
+        for (a, b) in column(&gap, "x").iter().zip(column(other, "x")) {
+            assert!((a - b).abs() < 1e-6, "{a} {b}");
+        }
+    }
+}
+
+/// `x = v/ω_d e^{−ζωt} sin ω_d t`; what the dashpot took is missing of the kinetic energy: the balance closes. Steps of 1e-4 s
+/// leave 1.1e-7 of the way, 1.4e-7 of the energy.
+#[test]
+fn a_dashpot_damps_as_it_should_and_books_what_it_takes() {
+    let links = "[{ on = 'all', direction = [1, 0, 0], stiffness = 800.0 }, { on = 'all', direction = [1, 0, 0], damping = 16.0 }]";
+    let outcome = mass(&[("links", links)]);
+    let (w, zeta) = (20.0_f64, 0.2_f64);
+    let wd = w * (1.0 - zeta * zeta).sqrt();
+    for (t, x) in column(&outcome, "time").into_iter().zip(column(&outcome, "x")) {
+        let exact = (-zeta * w * t).exp() * (wd * t).sin() / wd;
+        assert!((x - exact).abs() < 4e-7 / wd, "{t}: {x} {exact}");
+    }
+    let lost = last(&outcome, "dissipated");
+    assert!((lost - 1.0).abs() < 1e-3, "nearly all of ½ m v² is gone: {lost}");
+    assert!(unbalanced(&outcome) < 5e-7, "{}", unbalanced(&outcome));
+}
+
+/// Two cables of length a to (±a, h) hold a weight where `2 k (ℓ − a) z/ℓ = W`, ℓ² = a² + z²: found to sixteen figures. The body hangs below the vertex on which
+/// they are, or it would turn about it freely.
+#[test]
+fn a_weight_hangs_in_a_vee_of_cables() {
+    let (a, k, weight, sag): (f64, f64, f64, f64) = (1.0, 1000.0, 300.0, 0.2);
+    let cable = |x: f64| {
+        let (z, taut) = (sag + 0.1, "bears = \"tension\"");
+        format!("{{ on = \"top\", point = [{x}, 0, {z}], length = {a}, stiffness = {k}, {taut} }}")
+    };
+    let outcome = mass(&[
+        ("analysis", "{ static = { levels = 3 } }"),
+        ("sets.top.nearest", "[0.0, 0.0, 0.1]"),
+        ("links", &format!("[{}, {}]", cable(-a), cable(a))),
+        ("bodies.mass.rigid", REST),
+        ("supports", "[{ on = 'all', held = { displacement = [[0, 1, 0]], director = [[0, 1, 0]] } }]"),
+        ("loads", &format!("[{{ on = 'all', force = {{ total = [0, 0, {}] }} }}]", -weight)),
+        ("curve", "[{ name = 'z', of = 'displacement', on = 'all', direction = [0, 0, 1] }]"),
+    ]);
+    let force = |z: f64| {
+        let long = (a * a + z * z).sqrt();
+        2.0 * k * (long - a) * z / long
+    };
+    let (mut low, mut high) = (sag, 2.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if force(middle) < weight { low = middle } else { high = middle }
+    }
+    let found = sag - last(&outcome, "z");
+    assert!((found - low).abs() < 1e-9, "{found} {low}");
+}
+
+const STRIP: &str = r#"title = "A strip"
+units = { length = "m", force = "N", time = "s" }
+geometry.plate = { lengths = [1.0, 0.1], particles = [21, 3] }
+material.elastic = { young = 1.2e7, poisson = 0.0, density = 1000.0 }
+section.homogeneous = { thickness = 0.01 }
+analysis.linear = {}
+loads = [{ on = "u1", force = { total = [0.0, 0.0, -0.01] } }]
+supports = [{ on = "u0", clamped = {} }]
+curve = [{ name = "w", of = "displacement", on = "u1", direction = [0, 0, 1] }]
+"#;
+
+/// On one place a link along a direction is the spring of a support, in every analysis: to rounding where no iteration ends earlier.
+#[test]
+fn a_link_is_a_spring_in_every_analysis() {
+    let at = "sets.tip = { nearest = [1.0, 0.05, 0.0] }";
+    let text = format!("{at}\n{STRIP}");
+    let spring =
+        "[{ on = 'u0', clamped = {} }, { on = 'tip', spring = { direction = [0, 0, 1], stiffness = 0.05 } }]";
+    let link = "[{ on = 'tip', direction = [0, 0, 1], stiffness = 0.05 }]";
+    let squeezed = "[{ on = 'u1', force = { total = [-0.01, 0.0, 0.0] } }]";
+    let cases: [(&str, &str, f64); 7] = [
+        ("{ linear = {} }", "", 1e-10),
+        ("{ static = { levels = 2 } }", "", 1e-7),
+        ("{ arc-length = { until = 1.0 } }", "", 1e-7),
+        ("{ relaxation = { levels = 1 } }", "", 1e-4),
+        ("{ modal = { modes = 2 } }", "", 1e-8),
+        ("{ buckling = { modes = 1 } }", squeezed, 1e-7),
+        ("{ explicit = { transient = { duration = 0.05, record_every = 0.01 } } }", "", 1e-7),
+    ];
+    for (analysis, loads, bound) in cases {
+        let mut replaced = vec![("analysis", analysis)];
+        if !loads.is_empty() {
+            replaced.push(("loads", loads));
+        }
+        let sprung = ran(overridden(&text, "strip.toml", &[&replaced[..], &[("supports", spring)]].concat()));
+        let linked = ran(overridden(&text, "strip.toml", &[&replaced[..], &[("links", link)]].concat()));
+        // Of modes and levels the last; what a link stores is in `internal`, unlike what springs to the ground do.
+        let [a, b] = [&sprung, &linked].map(|outcome| match analysis.contains("modes") {
+            true => outcome.curve.rows.last().unwrap()[1],
+            false => last(outcome, "w"),
+        });
+        assert!(a.abs() > 0.0 && (a / b - 1.0).abs() < bound, "{analysis}: {a} {b}");
+    }
+}
+
+/// A tip that meets a stop: `w = (F + k g)/(3EI/L³ + k)` beyond its gap. Its rise by large displacements is 1.1e-3.
+#[test]
+fn a_cantilever_meets_a_stop() {
+    let links = "[{ on = 'u1', direction = [0, 0, 1], stiffness = 0.1, gap = 0.02, bears = 'compression' }]";
+    let all = [("links", links), ("analysis", "{ static = { levels = 4 } }")];
+    let w = -last(&ran(overridden(STRIP, "strip.toml", &all)), "w");
+    let own = 3.0 * 1.2e7 * 0.1 * 1e-6 / 12.0;
+    let exact = (0.01 + 0.1 * 0.02) / (own + 0.1);
+    assert!((w / exact - 1.0).abs() < 3.5e-3, "{w} {exact}");
+}
+
+/// Two bodies that fly, joined off their middles by a cable, a table and a dashpot, one of them on a gap.
+const PAIR: &str = r#"title = "Two bodies"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 0.4, record_every = 0.02 }
+curve = [
+    { name = "x_a", of = "displacement", on = "a.all", direction = [1, 0, 0] },
+    { name = "z_b", of = "displacement", on = "b.all", direction = [0, 0, 1] },
+    { name = "turn", of = "rotation", on = "b.all", direction = [0, 1, 0] },
+    { name = "pull", of = "link-force", on = "b.all", direction = [0, 0, 1] },
+]
+[bodies.a.rigid]
+geometry.box = { min = [-0.1, -0.1, -0.1], max = [0.1, 0.1, 0.1], spacing = 0.1 }
+mass = 2.0
+velocity = { linear = [1.0, 0.0, 0.3] }
+[bodies.b.rigid]
+geometry.box = { min = [0.4, -0.1, 0.2], max = [0.6, 0.1, 0.4], spacing = 0.1 }
+mass = 1.0
+velocity = { linear = [0.0, 0.2, 1.0] }
+[sets.corner]
+of = "a"
+nearest = [0.1, 0.1, 0.1]
+[sets.edge]
+of = "b"
+nearest = [0.4, 0.1, 0.2]
+[[links]]
+on = "corner"
+to = "edge"
+length = 0.35
+stiffness = 900.0
+bears = "tension"
+[[links]]
+on = "corner"
+to = "b.all"
+table = [[-0.2, -10.0], [0.0, 0.0], [0.1, 20.0]]
+[[links]]
+on = "edge"
+to = "corner"
+damping = 3.0
+[[links]]
+on = "b.all"
+direction = [0.0, 0.0, 1.0]
+stiffness = 500.0
+gap = 0.03
+[[links]]
+on = "a.all"
+point = [0.0, 0.0, -0.5]
+length = 9.0
+stiffness = 1.0
+bears = "tension"
+"#;
+
+fn pair(replaced: Replaced) -> Outcome {
+    ran(overridden(PAIR, "pair.toml", replaced))
+}
+
+/// Greatest difference of each column over its greatest value; the other's times a factor each.
+fn apart(one: &Outcome, other: &Outcome, factors: [f64; 4]) -> f64 {
+    let names = ["x_a", "z_b", "turn", "pull"];
+    let each = names.into_iter().zip(factors).map(|(name, factor)| {
+        let [one, other] = [one, other].map(|outcome| column(outcome, name));
+        let most = one.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        assert!(most > 0.0, "{name}");
+        one.iter().zip(&other).fold(0.0_f64, |most, (x, y)| most.max((x - factor * y).abs())) / most
+    });
+    each.fold(0.0, f64::max)
+}
+
+/// Rounding alone: 1e-12 of the greatest value of a column in some hundred steps.
+#[test]
+fn mirrored_in_other_units_and_the_other_end_first_it_is_the_same() {
+    let still = pair(&[]);
+    assert!(unbalanced(&still) < 1e-3, "{}", unbalanced(&still));
+    let mirrored = pair(&[
+        ("curve[0].direction", "[-1, 0, 0]"),
+        ("curve[2].direction", "[0, -1, 0]"),
+        ("bodies.a.rigid.velocity.linear", "[-1.0, 0.0, 0.3]"),
+        ("bodies.b.rigid.geometry.box", "{ min = [-0.6, -0.1, 0.2], max = [-0.4, 0.1, 0.4], spacing = 0.1 }"),
+        ("sets.corner.nearest", "[-0.1, 0.1, 0.1]"),
+        ("sets.edge.nearest", "[-0.4, 0.1, 0.2]"),
+    ]);
+    let found = apart(&still, &mirrored, [1.0; 4]);
+    assert!(found < 1e-10, "{found}");
+    // Links from their other ends; elongations along a line stay what they are.
+    let swapped = pair(&[
+        ("links[0].on", "'edge'"),
+        ("links[0].to", "'corner'"),
+        ("links[2].on", "'corner'"),
+        ("links[2].to", "'edge'"),
+    ]);
+    let found = apart(&still, &swapped, [1.0; 4]);
+    assert!(found < 1e-10, "{found}");
+    // Millimetres, and tonnes beside them: forces stay newtons, seconds seconds.
+    let small = [
+        ("units.length", "'mm'"),
+        ("bodies.a.rigid.geometry.box", "{ min = [-100, -100, -100], max = [100, 100, 100], spacing = 100 }"),
+        ("bodies.b.rigid.geometry.box", "{ min = [400, -100, 200], max = [600, 100, 400], spacing = 100 }"),
+        ("bodies.a.rigid.mass", "2e-3"),
+        ("bodies.b.rigid.mass", "1e-3"),
+        ("bodies.a.rigid.velocity.linear", "[1000, 0, 300]"),
+        ("bodies.b.rigid.velocity.linear", "[0, 200, 1000]"),
+        ("sets.corner.nearest", "[100, 100, 100]"),
+        ("sets.edge.nearest", "[400, 100, 200]"),
+        ("links[0].length", "350"),
+        ("links[0].stiffness", "0.9"),
+        ("links[1].table", "[[-200, -10], [0, 0], [100, 20]]"),
+        ("links[2].damping", "3e-3"),
+        ("links[3].stiffness", "0.5"),
+        ("links[3].gap", "30"),
+        ("links[4].length", "9000"),
+        ("links[4].point", "[0, 0, -500]"),
+        ("links[4].stiffness", "1e-3"),
+    ];
+    let found = apart(&still, &pair(&small), [1e-3, 1e-3, 1.0, 1.0]);
+    assert!(found < 1e-10, "{found}");
+}
+
+/// What the dashpot saw of the last step is in the checkpoint.
+#[test]
+fn a_stopped_run_goes_on_to_the_same_bits() {
+    stopped_again_and_again("links-march", PAIR, &[], 3);
+    let strip = [
+        ("links", "[{ on = 'u1', direction = [0, 0, 1], stiffness = 0.1, gap = 0.02 }]"),
+        ("analysis", "{ static = { levels = 4 } }"),
+    ];
+    stopped_again_and_again("links-static", STRIP, &strip, 2);
+}
+
+/// The scene that is drawn: without its dashpot it goes round in .514 s.
+#[test]
+fn the_scene_of_the_stops_goes_round_as_it_says() {
+    let free = [("links[1].damping", "1e-9"), (DURATION, "0.6")];
+    let outcome = ran(overridden(&text("mass-between-stops.toml"), "stops.toml", &free));
+    let found = crossing(&outcome, "x", 0.3);
+    assert!((found - 0.51416).abs() < 1e-5, "{found}");
+}
+
+#[test]
+fn what_a_link_cannot_be_is_refused() {
+    let stood = "links = [{ on = \"all\", direction = [1, 0, 0], stiffness = 800.0 }]";
+    let link = |says: &str| format!("links = [{{ on = \"all\", {says} }}]");
+    let cases: [(&str, String); 14] = [
+        ("no far end", link("stiffness = 800.0")),
+        ("two far ends", link("to = \"all\", point = [0, 0, 1], stiffness = 1.0")),
+        ("to itself", link("to = \"all\", stiffness = 1.0")),
+        ("no force", link("direction = [1, 0, 0]")),
+        ("two forces", link("direction = [1, 0, 0], stiffness = 1.0, damping = 1.0")),
+        ("a gap of a table", link("direction = [1, 0, 0], table = [[0, 0], [1, 1]], gap = 0.1")),
+        ("a dashpot that bears", link("direction = [1, 0, 0], damping = 1.0, bears = \"tension\"")),
+        ("a length along a direction", link("direction = [1, 0, 0], stiffness = 1.0, length = 2.0")),
+        ("a point along a direction", link("direction = [1, 0, 0], stiffness = 1.0, point = [0, 0, 1]")),
+        ("a table of one point", link("direction = [1, 0, 0], table = [[0, 0]]")),
+        ("a table that goes back", link("direction = [1, 0, 0], table = [[0, 0], [1, 1], [0.5, 2]]")),
+        ("a force at rest", link("direction = [1, 0, 0], table = [[0, 1], [1, 2]]")),
+        ("no such set", link("direction = [1, 0, 0], stiffness = 1.0").replace("all", "tip")),
+        ("no line", link("point = [0, 0, 0], stiffness = 1.0")),
+    ];
+    let cases: Vec<(&str, &str, &str)> = cases.iter().map(|(name, to)| (*name, stood, to.as_str())).collect();
+    let mut all = refused(MASS, &cases);
+    let other = [
+        (
+            "a dashpot at rest",
+            "analysis.linear = {}",
+            "analysis.linear = {}\nlinks = [{ on = \"u1\", direction = [0, 0, 1], damping = 1.0 }]",
+        ),
+        (
+            "in vibration",
+            "analysis.linear = {}",
+            "analysis.harmonic = { frequencies = [1.0], damping.structural = 0.1 }\nlinks = [{ on = \"u1\", direction = [0, 0, 1], stiffness = 1.0 }]",
+        ),
+        (
+            "a preload",
+            "on = \"u1\", force = { total = [0.0, 0.0, -0.01] } }]\n",
+            "on = \"u1\", force = { total = [0.0, 0.0, -0.01] }, preload = true }]\nlinks = [{ on = \"u1\", direction = [0, 0, 1], stiffness = 1.0 }]\n",
+        ),
+        (
+            "a moved end",
+            "clamped = {} }]",
+            "clamped = {} }, { on = \"u1\", moved = { direction = [0, 0, 1], by = 0.1 } }]\nlinks = [{ on = \"u1\", direction = [1, 0, 0], stiffness = 1.0 }]",
+        ),
+    ];
+    all.push_str(&refused(STRIP, &other));
+    insta::assert_snapshot!(all);
+}

@@ -1,0 +1,156 @@
+//! Hinges, sliders and ball joints of rigid bodies: closed forms, relations, kept and resumed, refused.
+
+use crate::common::refused::refused;
+use crate::common::sittings::stopped_again_and_again;
+use crate::common::{Replaced, column, overridden, ran, text};
+use coque::Outcome;
+
+const CRANK: &str = "slider-crank.toml";
+
+/// The scene that is drawn; its numbers are some 1, rounding 1e-16 of that a step.
+#[test]
+fn a_piston_goes_where_its_crank_leads_it() {
+    let outcome = ran(overridden(&text(CRANK), CRANK, &[]));
+    let (r, l) = (0.1_f64, 0.3_f64);
+    for (x, turn) in column(&outcome, "x").into_iter().zip(column(&outcome, "turn")) {
+        let exact = r * turn.cos() + (l * l - (r * turn.sin()).powi(2)).sqrt() - r - l;
+        assert!((x - exact).abs() < 1e-12, "{turn}: {x} {exact}");
+    }
+    let kinetic = column(&outcome, "kinetic");
+    let off = kinetic.iter().map(|own| (own - kinetic[0]).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-4 * kinetic[0], "nothing takes energy: {off} {}", kinetic[0]);
+    assert!(outcome.summary.body.modelled.iter().any(|line| line.starts_with("joints of rigid bodies: 4")));
+}
+
+/// A bar on a hinge, a second one on a ball joint to it, on a spring besides, under gravity.
+const CHAIN: &str = r#"title = "A chain"
+units = { length = "m", force = "N", time = "s" }
+analysis.explicit.transient = { duration = 0.6, record_every = 0.02 }
+loads = [{ on = "all", gravity = { acceleration = [0.0, 0.0, -10.0] } }]
+curve = [
+    { name = "x", of = "displacement", on = "b.all", direction = [1, 0, 0] },
+    { name = "z", of = "displacement", on = "b.all", direction = [0, 0, 1] },
+    { name = "turn", of = "rotation", on = "a.all", direction = [0, 1, 0] },
+]
+joints = [
+    { on = "a", at = [0.0, 0.0, 0.0], hinge.axis = [0.2, 1.0, 0.0] },
+    { on = "b", to = "a", at = [1.0, 0.0, 0.0], ball = {} },
+]
+links = [{ on = "b.all", point = [1.5, 0.0, 1.0], length = 0.9, stiffness = 30.0, bears = "tension" }]
+[bodies.a.rigid]
+geometry.box = { min = [0.0, -0.1, -0.1], max = [1.0, 0.1, 0.1], spacing = 0.5 }
+density = 100.0
+[bodies.b.rigid]
+geometry.box = { min = [1.0, -0.2, -0.1], max = [2.0, 0.2, 0.1], spacing = 0.5 }
+density = 100.0
+"#;
+
+fn chain(replaced: Replaced) -> Outcome {
+    ran(overridden(CHAIN, "chain.toml", replaced))
+}
+
+/// Greatest difference of each column over its greatest value; the other's times a factor each.
+fn apart(one: &Outcome, other: &Outcome, factors: [f64; 3]) -> f64 {
+    let each = ["x", "z", "turn"].into_iter().zip(factors).map(|(name, factor)| {
+        let [one, other] = [one, other].map(|outcome| column(outcome, name));
+        let most = one.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        assert!(most > 0.1, "{name}");
+        one.iter().zip(&other).fold(0.0_f64, |most, (x, y)| most.max((x - factor * y).abs())) / most
+    });
+    each.fold(0.0, f64::max)
+}
+
+/// Rounding alone: below 1e-12 of the greatest value in some hundred steps.
+#[test]
+fn mirrored_turned_in_other_units_and_renamed_it_is_the_same() {
+    let still = chain(&[]);
+    let [kinetic, internal, external] = ["kinetic", "internal", "external"].map(|name| column(&still, name));
+    let sum = |i: usize| kinetic[i] + internal[i] - external[i];
+    let off = (0..kinetic.len()).map(|i| (sum(i) - sum(0)).abs()).fold(0.0, f64::max);
+    let most = kinetic.iter().copied().fold(0.0, f64::max);
+    assert!(off < 1e-4 * most, "{off} {most}");
+    let mirrored = chain(&[
+        ("curve[2].direction", "[0, -1, 0]"),
+        ("curve[0].direction", "[-1, 0, 0]"),
+        ("joints[0].hinge.axis", "[-0.2, 1.0, 0.0]"),
+        ("joints[1].at", "[-1, 0, 0]"),
+        ("links[0].point", "[-1.5, 0.0, 1.0]"),
+        ("bodies.a.rigid.geometry.box", "{ min = [-1.0, -0.1, -0.1], max = [0.0, 0.1, 0.1], spacing = 0.5 }"),
+        (
+            "bodies.b.rigid.geometry.box",
+            "{ min = [-2.0, -0.2, -0.1], max = [-1.0, 0.2, 0.1], spacing = 0.5 }",
+        ),
+    ]);
+    let found = apart(&still, &mirrored, [1.0; 3]);
+    assert!(found < 1e-10, "mirrored: {found}");
+    // x becomes y, y becomes z, z becomes x.
+    let turned = chain(&[
+        ("loads[0].gravity.acceleration", "[-10, 0, 0]"),
+        ("curve[0].direction", "[0, 1, 0]"),
+        ("curve[1].direction", "[1, 0, 0]"),
+        ("curve[2].direction", "[0, 0, 1]"),
+        ("joints[0].hinge.axis", "[0, 0.2, 1.0]"),
+        ("joints[1].at", "[0, 1, 0]"),
+        ("links[0].point", "[1.0, 1.5, 0.0]"),
+        ("bodies.a.rigid.geometry.box", "{ min = [-0.1, 0.0, -0.1], max = [0.1, 1.0, 0.1], spacing = 0.5 }"),
+        ("bodies.b.rigid.geometry.box", "{ min = [-0.1, 1.0, -0.2], max = [0.1, 2.0, 0.2], spacing = 0.5 }"),
+    ]);
+    let found = apart(&still, &turned, [1.0; 3]);
+    assert!(found < 1e-10, "turned: {found}");
+    // The other body first by name, and the joint from its other side.
+    let renamed = ran(overridden(
+        &CHAIN
+            .replace("bodies.b.", "bodies.A.")
+            .replace("\"b.all\"", "\"A.all\"")
+            .replace("on = \"b\", to = \"a\"", "on = \"a\", to = \"A\""),
+        "chain.toml",
+        &[],
+    ));
+    let found = apart(&still, &renamed, [1.0; 3]);
+    assert!(found < 1e-10, "renamed: {found}");
+    let small = chain(&[
+        ("units.length", "'mm'"),
+        ("loads[0].gravity.acceleration", "[0, 0, -10000]"),
+        ("joints[1].at", "[1000, 0, 0]"),
+        ("links[0].point", "[1500, 0, 1000]"),
+        ("links[0].length", "900"),
+        ("links[0].stiffness", "0.03"),
+        ("bodies.a.rigid.geometry.box", "{ min = [0, -100, -100], max = [1000, 100, 100], spacing = 500 }"),
+        (
+            "bodies.b.rigid.geometry.box",
+            "{ min = [1000, -200, -100], max = [2000, 200, 100], spacing = 500 }",
+        ),
+        ("bodies.a.rigid.density", "1e-10"),
+        ("bodies.b.rigid.density", "1e-10"),
+    ]);
+    let found = apart(&still, &small, [1e-3, 1e-3, 1.0]);
+    assert!(found < 1e-10, "in millimetres: {found}");
+}
+
+#[test]
+fn a_stopped_run_goes_on_to_the_same_bits() {
+    stopped_again_and_again("rigid-joints", CHAIN, &[("analysis.explicit.transient.duration", "0.2")], 3);
+}
+
+#[test]
+fn what_a_joint_cannot_be_is_refused() {
+    let ball = "{ on = \"b\", to = \"a\", at = [1.0, 0.0, 0.0], ball = {} }";
+    let water = "[bodies.water.fluid]\ngeometry.block = { lengths = [1, 1, 1], spacing = 0.5 }\nmaterial.liquid = { density = 1, sound_speed = 9 }\nformulation.weakly-compressible = {}\n[bodies.a.rigid]";
+    let said = refused(
+        CHAIN,
+        &[
+            ("no such body", "to = \"a\"", "to = \"c\""),
+            ("to itself", "to = \"a\"", "to = \"b\""),
+            ("no kind", ball, "{ on = \"b\", to = \"a\", at = [1.0, 0.0, 0.0] }"),
+            ("two kinds", "ball = {}", "ball = {}, hinge.axis = [1, 0, 0]"),
+            ("no axis", "[0.2, 1.0, 0.0]", "[0, 0, 0]"),
+            (
+                "at rest",
+                "analysis.explicit.transient = { duration = 0.6, record_every = 0.02 }",
+                "analysis.static = { levels = 1 }",
+            ),
+            ("in a fluid", "[bodies.a.rigid]", water),
+        ],
+    );
+    insta::assert_snapshot!(said);
+}
