@@ -25,6 +25,7 @@
 //! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
 //! | edges that hang on sheets whose particles stand elsewhere | `ties/`, [`ShellBuilder::ties`] |
 //! | points that a fluid wets, and the way of its forces | `wetted/`, [`ShellBuilder::wetted`] |
+//! | bars along lines of particles | `stiffeners/`, [`ShellBuilder::stiffeners`] |
 //! | the tangent, of the energy and of the loads | `statics/stiffness.rs`, `statics/load_stiffness.rs`, [`StaticShell`] |
 //!
 //! A plate stretched by a tenth stores what its membrane stiffness says, and its edge bears the force:
@@ -318,6 +319,7 @@ mod shared;
 mod sharing;
 mod shell;
 mod statics;
+mod stiffeners;
 mod ties;
 mod time;
 mod touching;
@@ -330,6 +332,7 @@ use loading::Loading;
 use material::Material;
 use motion::Moving;
 use points::scheme::Points;
+use stiffeners::Stiffeners;
 use time::evaluation::Evaluation;
 use time::share::Share;
 
@@ -354,7 +357,7 @@ pub use conditions::touched::contact_stiffness;
 pub use conditions::turn::Turn;
 pub use conditions::turned::Turned;
 pub use control::arcs::ChordLoss;
-pub use error::{EnclosedError, HeatError, ShellError};
+pub use error::{EnclosedError, HeatError, ShellError, StiffenerError};
 pub use even_bed::{EvenBed, even_bed};
 pub use formulation::{Divergence, Formulation, Reach};
 pub use heat::Temperature;
@@ -364,6 +367,7 @@ pub use points::results::{PointResult, Yielded};
 pub use reference::{Reference, origin_of};
 pub use regions::{PointSection, Region};
 pub use statics::static_shell::StaticShell;
+pub use stiffeners::{BarForce, Stiffener};
 pub use ties::list::Tie;
 pub use ties::loss::TieLoss;
 pub use turning::TurningInertia;
@@ -379,6 +383,8 @@ pub struct Shell {
     constraints: Constraints,
     /// What ties particles to each other.
     dependents: Dependents,
+    /// Bars along its lines.
+    stiffeners: Stiffeners,
     /// What acts from outside.
     loading: Loading,
     motion: Moving,

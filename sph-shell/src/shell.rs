@@ -18,6 +18,7 @@ use crate::points::strong_form::Sampling;
 use crate::points::sweep::Sweep;
 use crate::reference::Reference;
 use crate::regions::PointSection;
+use crate::stiffeners::BarForce;
 use crate::time::evaluation::Evaluation;
 
 impl Shell {
@@ -244,6 +245,11 @@ impl Shell {
             && self.points.sections.take_up(points)
     }
 
+    /// What each piece of its stiffeners bears in the present state.
+    pub fn bar_forces(&self) -> impl Iterator<Item = BarForce> {
+        self.stiffeners.forces(&self.motion.state)
+    }
+
     /// Internal energy found by the last evaluation that was asked for it \[F L\]; of sections with memory what they have dissipated is in it.
     pub fn stored_energy(&self) -> f64 {
         self.evaluation.internal_energy
@@ -302,7 +308,8 @@ impl Shell {
     ///
     /// The strong form has no energy of its own; it reports the elastic energy of its strains.
     pub fn evaluate_internal(&mut self, energy: bool) {
-        let Self { reference, material, points, dependents, motion, evaluation, share, .. } = self;
+        let Self { reference, material, points, dependents, stiffeners, motion, evaluation, share, .. } =
+            self;
         let Evaluation { plan, slots, pack_energies, internal_energy, threads, .. } = evaluation;
         if let Some(plan) = plan {
             share.exchange(&mut motion.state);
@@ -312,6 +319,14 @@ impl Shell {
             plan.forces(&sweep, &mut forces[share.own()]);
             *internal_energy =
                 if energy { share.energy(points.packs.points.len(), |pack| plan.energy(pack)) } else { 0.0 };
+            if !stiffeners.is_empty() {
+                stiffeners.add_forces(&motion.state, &share.own(), &mut forces);
+                if energy {
+                    let of_bars = stiffeners.energies(&motion.state, share.own()).map(|energy| [energy]);
+                    let [sum] = share.sum(of_bars);
+                    *internal_energy += sum;
+                }
+            }
             share.exchange_bound(&mut forces);
             dependents.ties.condense_internal(&motion.state, &mut forces);
             *points.direct_mut() = forces;

@@ -30,4 +30,5 @@ mod sections;
 mod shifted;
 mod springs;
 mod statics;
+mod stiffeners;
 mod uneven;
