@@ -106,6 +106,9 @@ pub use shell::plies::{Layered, Ply};
 pub use shell::rubber::{MooneyRivlin, NeoHooke, Rubber, RubberLaw};
 pub(crate) use shell::section::MaterialSection;
 pub use shell::section::{Homogeneous, Section, Taper, ThicknessTable};
+pub use shell::stiffeners::{
+    StiffenerProfile, StiffenerRectangle, StiffenerScene, StiffenerSection, StiffenerSide,
+};
 pub use shell::strength::FibreStrength;
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};
