@@ -245,6 +245,11 @@ impl Shell {
             && self.points.sections.take_up(points)
     }
 
+    /// Axial force \[F\] and bending moment \[F L\] of stiffeners at a particle in the present state, the mean of the pieces that end there.
+    pub fn bar_at(&self, particle: usize) -> [f64; 2] {
+        self.stiffeners.at_end(&self.motion.state, particle)
+    }
+
     /// What each piece of its stiffeners bears in the present state.
     pub fn bar_forces(&self) -> impl Iterator<Item = BarForce> {
         self.stiffeners.forces(&self.motion.state)

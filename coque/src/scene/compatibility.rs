@@ -11,7 +11,7 @@ are those of the unloaded shell, or of the preloaded one: other loads change not
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 40] = [
+const ROWS: [(&str, &str, &str); 41] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -66,6 +66,11 @@ const ROWS: [(&str, &str, &str); 40] = [
     ("`preload` of a load", "preload", "on = 'u1', force = { total = [0, 0, 1] }, preload = true"),
     ("`initial_stress`", "initial_stress", "on = 'all', membrane = [1, 1, 0]"),
     ("`initial_stress`, nothing beside it", "initial_stress", "on = 'all', membrane = [1, 1, 0]"),
+    (
+        "`stiffeners`",
+        "stiffeners",
+        "on = 'v1', eccentricity = 0.1, section.rectangle = { width = 0.1, height = 0.1 }",
+    ),
     ("`velocity`", "velocity", "linear = [0, 0, 1]"),
     ("`moved`, of a solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`turned`, of a solid", "supports", "on = 'x1', turned = { axis = [1, 0, 0], by = 1 }"),
@@ -114,7 +119,7 @@ pub(super) fn goes_with() -> String {
         let cell = |kind: &AnalysisKind| {
             let plain = builds(kind, name, table, says);
             let in_time = || {
-                !["velocity", "initial_stress"].contains(&table)
+                !["velocity", "initial_stress", "stiffeners"].contains(&table)
                     && builds(kind, name, table, &format!("{says}, amplitude = {{ ramp = 1 }}"))
             };
             match () {
@@ -155,7 +160,7 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
     match table {
         "supports" => supports.push(format!("{{ {says} }}")),
         "loads" | "preload" => loads.push(format!("{{ {says} }}")),
-        "initial_stress" => own = format!("initial_stress = [{{ {says} }}]"),
+        "initial_stress" | "stiffeners" => own = format!("{table} = [{{ {says} }}]"),
         _ if of_solid => own = format!("bodies.block.solid.velocity = {{ {says} }}"),
         _ => own = format!("velocity = {{ {says} }}"),
     }

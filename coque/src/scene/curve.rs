@@ -144,6 +144,10 @@ pub enum Measured {
     EnclosedPressure,
     /// Volume that cells of a shell enclose, with what its load has beside, on the set of the load \[L³\].
     EnclosedVolume,
+    /// Axial force of the stiffeners of a shell at a particle, the mean of the pieces that end there \[F\].
+    BarForce,
+    /// Their bending moment about their centroid, positive where it stretches the side to which normals point \[F L\].
+    BarMoment,
     /// Component of the moment that the supports of a shell, or of a solid of bonds in space, exert about a point \[F L\].
     ReactionMoment,
     /// Angle by which the director has turned about the direction, counted on beyond π \[rad\].
@@ -231,6 +235,8 @@ impl Measured {
             Self::PlasticWork => "plastic-work",
             Self::EnclosedPressure => "enclosed-pressure",
             Self::EnclosedVolume => "enclosed-volume",
+            Self::BarForce => "bar-force",
+            Self::BarMoment => "bar-moment",
             Self::ReactionMoment => "reaction-moment",
             Self::VonMises => "von-mises",
             Self::Stress => "stress",
@@ -274,9 +280,12 @@ impl Measured {
             | Self::Thickness
             | Self::Level
             | Self::WetLength => Quantity::Length,
-            Self::Reaction | Self::ContactForce | Self::GlueForce | Self::Force | Self::SectionForce => {
-                Quantity::Force
-            }
+            Self::Reaction
+            | Self::ContactForce
+            | Self::GlueForce
+            | Self::Force
+            | Self::SectionForce
+            | Self::BarForce => Quantity::Force,
             Self::Rotation | Self::PrincipalAngle => Quantity::Angle,
             Self::Director
             | Self::Damage
@@ -294,6 +303,7 @@ impl Measured {
             | Self::Moment
             | Self::ReactionMoment
             | Self::SectionMoment
+            | Self::BarMoment
             | Self::Energy => Quantity::Energy,
             Self::StrainEnergy
             | Self::Pressure
@@ -324,6 +334,8 @@ impl Measured {
                 | Self::PlasticWork
                 | Self::EnclosedPressure
                 | Self::EnclosedVolume
+                | Self::BarForce
+                | Self::BarMoment
                 | Self::ContactGap
                 | Self::GreatestDepth
                 | Self::TouchingArea

@@ -35,6 +35,7 @@ mod section_forces;
 mod sections;
 mod stability;
 mod statics;
+mod stiffeners;
 mod stress_fields;
 mod turned_sprung;
 mod warnings;

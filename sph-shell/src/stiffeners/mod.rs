@@ -97,6 +97,12 @@ impl Piece {
         [[-by, 0.5, -by], [by, 0.5, by]]
     }
 
+    fn bears(&self, state: &[Row]) -> BarForce {
+        let strains = self.bar.strains(&self.placement(state));
+        let [axial, bending, shear, torque] = self.bar.resultants(&strains);
+        BarForce { stiffener: self.number, ends: self.ends, axial, bending, shear, torque }
+    }
+
     /// Whether it has an end among some particles.
     fn touches(&self, own: &Range<usize>) -> bool {
         self.ends.iter().any(|&end| own.contains(&(end as usize)))
@@ -239,13 +245,20 @@ impl Stiffeners {
         self.at(particle).map_or(0.0, |turning| turning.along(d, &direction()))
     }
 
+    /// Axial force and bending moment at a particle in a state, the mean of the pieces that end there; zero where none does.
+    pub fn at_end(&self, state: &[Row], particle: usize) -> [f64; 2] {
+        let (mut sum, mut count) = ([0.0; 2], 0.0);
+        for piece in self.pieces.iter().filter(|piece| piece.ends.contains(&(particle as u32))) {
+            let force = piece.bears(state);
+            sum = [sum[0] + force.axial, sum[1] + force.bending];
+            count += 1.0;
+        }
+        sum.map(|sum| if count > 0.0 { sum / count } else { 0.0 })
+    }
+
     /// What each piece bears in a state.
     pub fn forces(&self, state: &[Row]) -> impl Iterator<Item = BarForce> {
-        self.pieces.iter().map(move |piece| {
-            let strains = piece.bar.strains(&piece.placement(state));
-            let [axial, bending, shear, torque] = piece.bar.resultants(&strains);
-            BarForce { stiffener: piece.number, ends: piece.ends, axial, bending, shear, torque }
-        })
+        self.pieces.iter().map(move |piece| piece.bears(state))
     }
 }
 

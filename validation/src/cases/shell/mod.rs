@@ -34,6 +34,7 @@ mod sandwich_panel;
 mod scordelis_lo;
 mod shortened;
 mod stepped_plate;
+mod stiffened_plate;
 mod struck_strip;
 mod thin_ring;
 mod tubes;
@@ -86,7 +87,13 @@ pub fn all() -> Vec<Case> {
     ));
     cases.extend(family(
         "Stability of shells",
-        [buckling::case(), shortened::case(), clamped_cap::case(), external_pressure::case()],
+        [
+            buckling::case(),
+            stiffened_plate::case(),
+            shortened::case(),
+            clamped_cap::case(),
+            external_pressure::case(),
+        ],
     ));
     cases.extend(family(
         "Shells through large rotations",
