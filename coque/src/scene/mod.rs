@@ -107,7 +107,8 @@ pub use shell::rubber::{MooneyRivlin, NeoHooke, Rubber, RubberLaw};
 pub(crate) use shell::section::MaterialSection;
 pub use shell::section::{Homogeneous, Section, Taper, ThicknessTable};
 pub use shell::stiffeners::{
-    StiffenerProfile, StiffenerRectangle, StiffenerScene, StiffenerSection, StiffenerSide,
+    StiffenerElastic, StiffenerMaterial, StiffenerProfile, StiffenerRectangle, StiffenerScene,
+    StiffenerSection, StiffenerSide,
 };
 pub use shell::strength::FibreStrength;
 pub use solid::SolidScene;

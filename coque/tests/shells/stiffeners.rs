@@ -5,12 +5,14 @@
 use crate::common::refused::refused;
 use crate::common::text;
 use crate::strip::{THIN, last, run, strip};
+use coque::{Scene, WarningKind};
 
 /// A rectangle 0.1 by 0.5 along the middle line of the strip, 10 by 1 and 0.2 thick, of E = 1e6 and ν = 0.
 const RIB: &str =
     "stiffeners = [{ on = \"rib\", side = \"top\", section.rectangle = { width = 0.1, height = 0.5 } }]";
 /// Its line, and the middle of it.
-const LINE: &str = "rib.plane = { point = [0, 0.5, 0], normal = [0, 1, 0] }\nhalf.nearest = [5.0, 0.5, 0.0]\n";
+const LINE: &str =
+    "rib.plane = { point = [0, 0.5, 0], normal = [0, 1, 0] }\nhalf.nearest = [5.0, 0.5, 0.0]\n";
 
 /// The strip with that rib, under a load on its end.
 fn ribbed(load: &str) -> String {
@@ -66,7 +68,8 @@ fn columns_read_what_the_bar_bears() {
 /// All analyses have it: at rest by every way the same answer, in time the same rest.
 #[test]
 fn every_analysis_has_stiffeners() {
-    let text = ribbed("force = { total = [0.0, 0.0, 0.5] }").replace("particles = [41, 5]", "particles = [21, 3]");
+    let text =
+        ribbed("force = { total = [0.0, 0.0, 0.5] }").replace("particles = [41, 5]", "particles = [21, 3]");
     let linear = last(&run(&text));
     for analysis in [
         "analysis.static.levels = 1",
@@ -95,7 +98,11 @@ fn what_no_stiffener_can_have_is_refused() {
             "side = \"top\"",
             "side = \"top\", material.smeared = { density = 1.0 }",
         ),
-        ("Poisson's ratio", "side = \"top\"", "side = \"top\", material.elastic = { young = 1.0, poisson = 0.6, density = 1.0 }"),
+        (
+            "Poisson's ratio",
+            "side = \"top\"",
+            "side = \"top\", material.elastic = { young = 1.0, poisson = 0.6, density = 1.0 }",
+        ),
         (
             "a side of a shell of several thicknesses",
             "stiffeners = ",
@@ -103,8 +110,16 @@ fn what_no_stiffener_can_have_is_refused() {
         ),
         ("heat", "force = { total = [0.0, 0.0, 1.0] }", "temperature = { change = 1.0 }"),
         ("wide stencils", "stiffeners = ", "formulation.nodal = {}\nstiffeners = "),
-        ("no line", "rib.plane = { point = [0, 0.5, 0], normal = [0, 1, 0] }", "rib.box = { min = [0, 0, 0], max = [1, 1, 0] }"),
-        ("no neighbour", "rib.plane = { point = [0, 0.5, 0], normal = [0, 1, 0] }", "rib.nearest = [0, 0, 0]"),
+        (
+            "no line",
+            "rib.plane = { point = [0, 0.5, 0], normal = [0, 1, 0] }",
+            "rib.box = { min = [0, 0, 0], max = [1, 1, 0] }",
+        ),
+        (
+            "no neighbour",
+            "rib.plane = { point = [0, 0.5, 0], normal = [0, 1, 0] }",
+            "rib.nearest = [0, 0, 0]",
+        ),
     ];
     insta::assert_snapshot!(refused(&scene, &cases));
     let coated = text("sandwich-panel.toml").replacen(
@@ -112,7 +127,10 @@ fn what_no_stiffener_can_have_is_refused() {
         "[[stiffeners]]\non = \"u0\"\neccentricity = 0.0\nsection.rectangle = { width = 0.1, height = 0.1 }\n\n[sets]",
         1,
     );
-    insta::assert_snapshot!("a_shell_of_no_isotropic_material", refused(&coated, &[("no material", "title", "title")]));
+    insta::assert_snapshot!(
+        "a_shell_of_no_isotropic_material",
+        refused(&coated, &[("no material", "title", "title")])
+    );
 }
 
 /// A scene without stiffeners does not know their columns.
@@ -121,4 +139,24 @@ fn columns_of_bars_want_bars() {
     let text = strip(THIN, "loads = [{ on = \"u1\", force = { total = [0.0, 0.0, 1.0] } }]");
     let said = refused(&text, &[("no stiffeners", "of = \"displacement\"", "of = \"bar-force\"")]);
     assert!(said.contains("a shell has"), "{said}");
+}
+
+/// A plate one wide and .01 thick on a blade in its middle surface: of a tenth of its length too stiff by 3.3 % on 32 cells, of a twentieth by .6
+/// (sph-shell/tests/at_rest/stiffened_answers.rs).
+#[test]
+fn deep_stiffeners_are_warned_of() {
+    for (deep, warned) in [(0.1, true), (0.05, false)] {
+        let text = format!(
+            "title = \"Blade\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\nanalysis.linear = {{}}\n\
+             geometry.plate = {{ lengths = [1.0, 1.0], particles = [33, 33] }}\n\
+             material.elastic = {{ young = 2e11, poisson = 0.3, density = 7800.0 }}\nsection.homogeneous.thickness = 0.01\n\
+             supports = [{{ on = [\"u0\", \"u1\"], clamped = {{}} }}]\nloads = [{{ on = \"all\", pressure = {{ value = 1e4 }} }}]\n\
+             stiffeners = [{{ on = \"rib\", eccentricity = {}, section.rectangle = {{ width = 0.01, height = {deep} }} }}]\n\
+             [sets]\nrib.plane = {{ point = [0, 0.5, 0], normal = [0, 1, 0] }}\n",
+            -0.5 * deep
+        );
+        let model = Scene::parse(&text, "scene.toml").unwrap().build(1).unwrap();
+        let found = model.warnings().iter().any(|warning| warning.kind == WarningKind::DeepStiffener);
+        assert_eq!(found, warned, "{deep}: {:?}", model.warnings());
+    }
 }

@@ -35,6 +35,30 @@ pub(super) fn described_stiffener(stiffener: &StiffenerScene, shell: &ShellScene
     format!("a stiffener on {}, {size}, its centroid {height} over the particles{half}", stiffener.on)
 }
 
+/// The bar of a stiffener of a shell, its particles left out; none without an elastic material, which the checks refuse.
+pub(super) fn bar_of(stiffener: &StiffenerScene, shell: &ShellScene) -> Option<Stiffener> {
+    let elastic = stiffener.elastic(&shell.material)?;
+    let young = elastic.young.get();
+    let moduli = [young, 0.5 * young / (1.0 + elastic.poisson)];
+    let whole = match stiffener.section {
+        StiffenerSection::Rectangle(own) => BarSection::rectangle(moduli, own.width.get(), own.height.get()),
+        StiffenerSection::Profile(own) => {
+            let (area, inertia) = (own.area.get(), own.inertia.get());
+            BarSection {
+                axial: young * area,
+                bending: young * inertia,
+                shear: moduli[1] * own.shear_area.map_or(5.0 / 6.0 * area, |area| area.get()),
+                torsion: moduli[1] * own.torsion.get(),
+                gyration: (inertia + own.lateral.get()) / area,
+            }
+        }
+    };
+    let share = stiffener.share.get();
+    let [area, height] = area_and_height(stiffener, shell);
+    let mass = elastic.density.get() * area * share;
+    Some(Stiffener { particles: Vec::new(), section: whole.part(share), height, mass })
+}
+
 impl Builder<'_> {
     /// Bars along lines, in the order of the scene.
     ///
@@ -46,29 +70,7 @@ impl Builder<'_> {
         for (i, stiffener) in shell.stiffeners.iter().enumerate() {
             let path = self.scene.body_scope().path(&format!("stiffeners[{i}].on"));
             let particles = sets.at(self.scene, &path, &stiffener.on)?.to_vec();
-            // The checks leave none without an elastic material.
-            let Some(elastic) = stiffener.elastic(&shell.material) else { continue };
-            let young = elastic.young.get();
-            let moduli = [young, 0.5 * young / (1.0 + elastic.poisson)];
-            let whole = match stiffener.section {
-                StiffenerSection::Rectangle(own) => {
-                    BarSection::rectangle(moduli, own.width.get(), own.height.get())
-                }
-                StiffenerSection::Profile(own) => {
-                    let (area, inertia) = (own.area.get(), own.inertia.get());
-                    BarSection {
-                        axial: young * area,
-                        bending: young * inertia,
-                        shear: moduli[1] * own.shear_area.map_or(5.0 / 6.0 * area, |area| area.get()),
-                        torsion: moduli[1] * own.torsion.get(),
-                        gyration: (inertia + own.lateral.get()) / area,
-                    }
-                }
-            };
-            let share = stiffener.share.get();
-            let [area, height] = area_and_height(stiffener, shell);
-            let mass = elastic.density.get() * area * share;
-            all.push(Stiffener { particles, section: whole.part(share), height, mass });
+            all.extend(bar_of(stiffener, shell).map(|bar| Stiffener { particles, ..bar }));
         }
         Ok(all)
     }

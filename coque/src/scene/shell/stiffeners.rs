@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::material::{Elastic, Material};
+use super::material::Material;
 use crate::scene::bounded::{NotNegative, Positive, StiffenerShare};
 
 /// A bar along a line of particles, such as a stringer, a frame or a ring; it goes with their places and directors.
@@ -13,7 +13,7 @@ pub struct StiffenerScene {
     /// Particle set, a line: neighbours are those that share an edge of a cell.
     pub on: String,
     /// What it is made of; left out, the elastic material of the shell.
-    pub material: Option<Material>,
+    pub material: Option<StiffenerMaterial>,
     /// Its cross-section.
     pub section: StiffenerSection,
     /// Side of a homogeneous shell of one thickness on whose face a rectangle stands; `top` is where normals point to.
@@ -23,6 +23,26 @@ pub struct StiffenerScene {
     /// Part of it that is modelled: 0.5 on a plane of symmetry that halves it.
     #[serde(default)]
     pub share: StiffenerShare,
+}
+
+/// Materials of stiffeners.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum StiffenerMaterial {
+    /// Isotropic linear elasticity.
+    Elastic(StiffenerElastic),
+}
+
+/// Isotropic linear elasticity of a stiffener.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StiffenerElastic {
+    /// Young's modulus \[F/L²\].
+    pub young: Positive,
+    /// Poisson's ratio \[–\].
+    pub poisson: f64,
+    /// Mass per volume \[F T²/L⁴\].
+    pub density: Positive,
 }
 
 /// Cross-section of a stiffener.
@@ -79,11 +99,15 @@ impl Default for StiffenerShare {
 }
 
 impl StiffenerScene {
-    /// Its elastic material: its own, or that of a shell.
-    pub(crate) fn elastic<'a>(&'a self, shell: &'a Material) -> Option<&'a Elastic> {
-        match self.material.as_ref().unwrap_or(shell) {
-            Material::Elastic(elastic) => Some(elastic),
-            _ => None,
+    /// Its material: its own, or that of an elastic shell.
+    pub(crate) fn elastic(&self, shell: &Material) -> Option<StiffenerElastic> {
+        match (self.material, shell) {
+            (Some(StiffenerMaterial::Elastic(own)), _) => Some(own),
+            (None, Material::Elastic(shell)) => {
+                let (young, poisson, density) = (shell.young, shell.poisson, shell.density);
+                Some(StiffenerElastic { young, poisson, density })
+            }
+            (None, _) => None,
         }
     }
 }

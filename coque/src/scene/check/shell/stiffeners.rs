@@ -1,6 +1,6 @@
 //! Checks of stiffeners: what they are made of, where they lie, and where there are none.
 
-use super::material::check_elastic_numbers;
+use super::material::check_poisson;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::sets::check_set_name;
 use crate::scene::error::{SceneError, Verdict};
@@ -9,7 +9,7 @@ use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
 use crate::scene::shell::material::Material;
 use crate::scene::shell::section::Section;
-use crate::scene::shell::stiffeners::{StiffenerScene, StiffenerSection};
+use crate::scene::shell::stiffeners::{StiffenerMaterial, StiffenerScene, StiffenerSection};
 
 /// Refuses stiffeners of no elastic material, without a place, other formulations than by cells, heat, and a fluid.
 pub(super) fn check_stiffeners(scene: &BodyInScene<'_>, shell: &ShellScene, s: &Scope<'_>) -> Verdict {
@@ -42,34 +42,16 @@ pub(super) fn check_stiffeners(scene: &BodyInScene<'_>, shell: &ShellScene, s: &
 }
 
 fn check_material(stiffener: &StiffenerScene, shell: &ShellScene, own: &Scope<'_>) -> Verdict {
-    let found = stiffener.material.as_ref();
-    match (stiffener.elastic(&shell.material), found) {
-        (Some(elastic), Some(_)) => {
-            if elastic.young_values.is_some() {
-                let (value, bound) = ("numbers by particle", "none of a stiffener");
-                let repair = "give it one Young's modulus";
-                return Err(SceneError::Choice(own.fault(
-                    "material.elastic.young-values",
-                    value,
-                    bound,
-                    repair,
-                )));
-            }
-            check_elastic_numbers(elastic, own)
-        }
-        (Some(_), None) => Ok(()),
-        (None, _) => {
-            let word = found.unwrap_or(&shell.material).word();
-            let path = if found.is_some() { format!("material.{word}") } else { "section".into() };
-            let value = match found {
-                Some(_) => format!("material `{word}`"),
-                None => format!("no material, on a shell of the material `{word}`"),
-            };
-            let bound = "`material.elastic` of a stiffener, which is isotropic and elastic";
-            let repair = "add material.elastic = { young = …, poisson = …, density = … } to it";
-            Err(SceneError::Choice(own.fault(&path, &value, bound, repair)))
-        }
+    if let Some(StiffenerMaterial::Elastic(elastic)) = stiffener.material {
+        return check_poisson("material.elastic.poisson", elastic.poisson, own);
     }
+    if stiffener.elastic(&shell.material).is_some() {
+        return Ok(());
+    }
+    let value = format!("no material, on a shell of the material `{}`", shell.material.word());
+    let bound = "`material.elastic` of a stiffener, which is isotropic and elastic";
+    let repair = "add material.elastic = { young = …, poisson = …, density = … } to it";
+    Err(SceneError::Choice(own.fault("section", &value, bound, repair)))
 }
 
 /// A side wants a face and a height, an eccentricity neither.
