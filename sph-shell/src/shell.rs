@@ -18,7 +18,6 @@ use crate::points::strong_form::Sampling;
 use crate::points::sweep::Sweep;
 use crate::reference::Reference;
 use crate::regions::PointSection;
-use crate::stiffeners::BarForce;
 use crate::time::evaluation::Evaluation;
 
 impl Shell {
@@ -245,16 +244,6 @@ impl Shell {
             && self.points.sections.take_up(points)
     }
 
-    /// Axial force \[F\] and bending moment \[F L\] of stiffeners at a particle in the present state, the mean of the pieces that end there.
-    pub fn bar_at(&self, particle: usize) -> [f64; 2] {
-        self.stiffeners.at_end(&self.motion.state, particle)
-    }
-
-    /// What each piece of its stiffeners bears in the present state.
-    pub fn bar_forces(&self) -> impl Iterator<Item = BarForce> {
-        self.stiffeners.forces(&self.motion.state)
-    }
-
     /// Internal energy found by the last evaluation that was asked for it \[F L\]; of sections with memory what they have dissipated is in it.
     pub fn stored_energy(&self) -> f64 {
         self.evaluation.internal_energy
@@ -324,14 +313,7 @@ impl Shell {
             plan.forces(&sweep, &mut forces[share.own()]);
             *internal_energy =
                 if energy { share.energy(points.packs.points.len(), |pack| plan.energy(pack)) } else { 0.0 };
-            if !stiffeners.is_empty() {
-                stiffeners.add_forces(&motion.state, &share.own(), &mut forces);
-                if energy {
-                    let of_bars = stiffeners.energies(&motion.state, share.own()).map(|energy| [energy]);
-                    let [sum] = share.sum(of_bars);
-                    *internal_energy += sum;
-                }
-            }
+            *internal_energy += stiffeners.add(&motion.state, share, &mut forces, energy);
             share.exchange_bound(&mut forces);
             dependents.ties.condense_internal(&motion.state, &mut forces);
             *points.direct_mut() = forces;

@@ -118,9 +118,8 @@ pub enum Measured {
     ContactForce,
     /// Component of the moment that its tools exert on a shell about a point \[F L\].
     ContactMoment,
-    /// Gap between the face of a shell, at its particles, and that of the nearest tool, of the shell itself or of another body, negative where they
-    /// are in each other \[L\]; to other bodies up to ten times the distance at which they touch, to itself up to half of the
-    /// thickness, which stand for all beyond.
+    /// Gap between the face of a shell, at its particles, and that of the nearest tool, of the shell itself or of another body, negative where they are in each
+    /// other \[L\]; to other bodies up to ten times the distance at which they touch, to itself up to half of the thickness, which stand for all beyond.
     ContactGap,
     /// Depth of contact of a shell, at its particles and its share of the middles of cells, over the distance of its middle at which faces
     /// touch \[–\]: mid-surfaces come through at one. The largest of a set.
@@ -133,8 +132,7 @@ pub enum Measured {
     GlueGap,
     /// Energy that friction has taken of a body \[F L\]: on tools, and one half of what it took where it rubs on another or, a shell, on itself.
     FrictionLoss,
-    /// Equivalent plastic strain of a body that yields, the greatest through the thickness of a shell and of the cells round a particle \[–\]. The largest
-    /// of a set.
+    /// Equivalent plastic strain of a body that yields, the greatest through the thickness of a shell and of the cells round a particle \[–\]. The largest of a set.
     PlasticStrain,
     /// Thickness of a shell that yields, the least of the cells round a particle \[L\]. The least of a set.
     Thickness,
@@ -172,8 +170,7 @@ pub enum Measured {
     MaxPrincipal,
     /// Least principal stress, of a homogeneous shell in its surface \[F/L²\].
     MinPrincipal,
-    /// Tresca's stress, twice the greatest shear stress: the greatest difference of principal stresses, of a shell that of zero across it among them
-    /// \[F/L²\].
+    /// Tresca's stress, twice the greatest shear stress: the greatest difference of principal stresses, of a shell that of zero across it among them \[F/L²\].
     Tresca,
     /// Angle about the normal of a homogeneous shell from a direction to the axis of the greatest principal stress, from −π/2 to π/2 \[rad\].
     PrincipalAngle,
@@ -280,12 +277,10 @@ impl Measured {
             | Self::Thickness
             | Self::Level
             | Self::WetLength => Quantity::Length,
-            Self::Reaction
-            | Self::ContactForce
-            | Self::GlueForce
-            | Self::Force
-            | Self::SectionForce
-            | Self::BarForce => Quantity::Force,
+            Self::Reaction | Self::ContactForce | Self::GlueForce | Self::Force | Self::SectionForce => {
+                Quantity::Force
+            }
+            Self::BarForce => Quantity::Force,
             Self::Rotation | Self::PrincipalAngle => Quantity::Angle,
             Self::Director
             | Self::Damage

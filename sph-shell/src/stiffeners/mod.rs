@@ -21,11 +21,13 @@ use implicit_statics::BlockPattern;
 use shell_kinematics::{Bar, BarPlacement, BarSection};
 use sph_core::Vec3;
 
+use crate::Shell;
 use crate::conditions::body::Block;
 use crate::conditions::loads::check_set;
 use crate::error::{ShellError, StiffenerError};
 use crate::packs::Row;
 use crate::reference::Reference;
+use crate::time::share::Share;
 use turning::Turning;
 
 /// A bar along a line of particles.
@@ -164,7 +166,7 @@ impl Stiffeners {
     }
 
     /// Adds `[∂U/∂x, ∂U/∂d]` in a state to the rows of a range of particles.
-    pub fn add_forces(&self, state: &[Row], own: &Range<usize>, rows: &mut [Row]) {
+    fn add_forces(&self, state: &[Row], own: &Range<usize>, rows: &mut [Row]) {
         for piece in self.pieces.iter().filter(|piece| piece.touches(own)) {
             let forces = piece.bar.forces(&piece.placement(state));
             for (end, [x1, d, d1]) in piece.ends.into_iter().zip(piece.shares()) {
@@ -180,10 +182,20 @@ impl Stiffeners {
         }
     }
 
-    /// Energy of each piece whose first end is among some particles \[F L\].
-    pub fn energies(&self, state: &[Row], own: Range<usize>) -> impl Iterator<Item = f64> {
-        let pieces = self.pieces.iter().filter(move |piece| own.contains(&(piece.ends[0] as usize)));
-        pieces.map(|piece| piece.length * piece.bar.energy(&piece.placement(state)))
+    /// Adds the same to the rows of the particles of one who marches the shell; the energy of all pieces over all who do, if it is wanted \[F L\].
+    pub fn add(&self, state: &[Row], share: &Share, rows: &mut [Row], energy: bool) -> f64 {
+        if self.is_empty() {
+            return 0.0;
+        }
+        let own = share.own();
+        self.add_forces(state, &own, rows);
+        if !energy {
+            return 0.0;
+        }
+        let pieces = self.pieces.iter().filter(|piece| own.contains(&(piece.ends[0] as usize)));
+        let energies = pieces.map(|piece| [piece.length * piece.bar.energy(&piece.placement(state))]);
+        let [sum] = share.sum(energies);
+        sum
     }
 
     /// Particles that share a block of the tangent.
@@ -259,6 +271,18 @@ impl Stiffeners {
     /// What each piece bears in a state.
     pub fn forces(&self, state: &[Row]) -> impl Iterator<Item = BarForce> {
         self.pieces.iter().map(move |piece| piece.bears(state))
+    }
+}
+
+impl Shell {
+    /// Axial force \[F\] and bending moment \[F L\] of stiffeners at a particle in the present state, the mean of the pieces that end there.
+    pub fn bar_at(&self, particle: usize) -> [f64; 2] {
+        self.stiffeners.at_end(&self.motion.state, particle)
+    }
+
+    /// What each piece of its stiffeners bears in the present state.
+    pub fn bar_forces(&self) -> impl Iterator<Item = BarForce> {
+        self.stiffeners.forces(&self.motion.state)
     }
 }
 
