@@ -50,6 +50,8 @@ pub enum WarningKind {
     ShallowSheet,
     /// A beam of thin walls with few cells a wall.
     ThinProfile,
+    /// A stiffener deep for its length on wide cells.
+    DeepStiffener,
     /// Sections high over their particles where masses count.
     OffsetInertia,
     /// A body that turns freely with the rotary inertia of its masses in time, which is not its own.
@@ -180,6 +182,7 @@ impl WarningKind {
             Self::TieBetweenLines => "tie-between-lines",
             Self::ShallowSheet => "shallow-sheet",
             Self::ThinProfile => "thin-profile",
+            Self::DeepStiffener => "deep-stiffener",
             Self::OffsetInertia => "offset-inertia",
             Self::ScaledInertia => "scaled-inertia",
             Self::PatternModes => "pattern-modes",
@@ -284,6 +287,7 @@ mod tests {
             WarningKind::TieBetweenLines,
             WarningKind::ShallowSheet,
             WarningKind::ThinProfile,
+            WarningKind::DeepStiffener,
             WarningKind::OffsetInertia,
             WarningKind::SharpCorners,
             WarningKind::PoorMesh,

@@ -218,11 +218,13 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod bar;
 mod expansion;
 mod given_section;
 mod history_pack;
 mod inelastic;
 mod integrated_section;
+mod jet;
 mod layered_section;
 mod log_strain;
 mod memory;
@@ -244,6 +246,7 @@ mod stressed_pack;
 mod tangent;
 mod transverse_shear;
 
+pub use bar::{Bar, BarForces, BarPlacement, BarSection, BarStrains, BarTangent};
 pub use expansion::{Blocked, Expansion};
 pub use given_section::GivenSection;
 pub use history_pack::{Commit, Flowed, HistoryPack, YieldingPack};

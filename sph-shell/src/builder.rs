@@ -13,7 +13,7 @@ use crate::conditions::stages::Stages;
 use crate::conditions::supports::Supported;
 use crate::conditions::tools::{Tool, Tools};
 use crate::dependents::Dependents;
-use crate::error::{HeatError, ShellError};
+use crate::error::{HeatError, ShellError, StiffenerError};
 use crate::formulation::{Formulation, Reach};
 use crate::heat::Temperature;
 use crate::initial_stress::InitialStress;
@@ -25,6 +25,7 @@ use crate::motion::Moving;
 use crate::points::scheme::Points;
 use crate::reference::Reference;
 use crate::regions::{Region, Regions};
+use crate::stiffeners::{Stiffener, Stiffeners};
 use crate::ties::list::{Tie, Ties};
 use crate::time::evaluation::Evaluation;
 use crate::time::share::Share;
@@ -62,6 +63,7 @@ pub struct ShellBuilder {
     origin: Vec3,
     ties: Vec<Tie>,
     masses: Vec<(u32, f64)>,
+    stiffeners: Vec<Stiffener>,
     rigid: Vec<RigidSet>,
     springs: Springs,
     tools: Vec<Tool>,
@@ -81,6 +83,7 @@ impl Shell {
             origin: Vec3::zeros(),
             ties: Vec::new(),
             masses: Vec::new(),
+            stiffeners: Vec::new(),
             rigid: Vec::new(),
             springs: Springs::default(),
             tools: Vec::new(),
@@ -118,6 +121,11 @@ impl ShellBuilder {
     /// turn with the director.
     pub fn masses(self, masses: Vec<(u32, f64)>) -> Self {
         Self { masses, ..self }
+    }
+
+    /// Bars along lines of particles.
+    pub fn stiffeners(self, stiffeners: Vec<Stiffener>) -> Self {
+        Self { stiffeners, ..self }
     }
 
     /// Sets that move as rigid bodies.
@@ -167,7 +175,7 @@ impl ShellBuilder {
     /// # Errors
     /// [`ShellError`]: invalid clouds, stencils too small for their order, empty or unknown sets, supports that contradict each other;
     /// cells in two regions; edges too far from their hosts, on too few of their cells, without particles of their own, with supports
-    /// that the host does not have, ties in a circle; masses that are not positive and finite; rigid sets that meet each other, stand on one
+    /// that the host does not have, ties in a circle; masses that are not positive and finite; stiffeners on what is no line, or beyond the centre of its curvature; rigid sets that meet each other, stand on one
     /// line along a normal, hold a particle that is supported, tied to a cell, or of a junction only in part; springs without a stiffness, along a
     /// director, or of one particle; tools without sense, on shells without cells or with sections over or below their particles; contact of a shell with itself where its
     /// thickness is not one, edges are tied or it has no stiffness; what is enclosed by cells that are no surface, with rims that are free to change its volume, or without any; stresses whose axis stands on the surface; heat of what does not say how it expands; wettings out of bounds, of a shell about an origin, in a
@@ -180,6 +188,7 @@ impl ShellBuilder {
             origin,
             ties,
             masses,
+            stiffeners,
             rigid,
             springs,
             tools,
@@ -206,6 +215,7 @@ impl ShellBuilder {
                 (regions.is_empty(), ShellError::RegionsWithoutCells),
                 (ties.is_empty(), ShellError::TieOfWideStencils),
                 (rigid.is_empty(), ShellError::RigidOfWideStencils),
+                (stiffeners.is_empty(), StiffenerError::WideStencils.into()),
                 (stresses.is_empty(), ShellError::StressOfWideStencils),
                 (temperatures.is_empty(), HeatError::WideStencils.into()),
             ];
@@ -241,6 +251,8 @@ impl ShellBuilder {
         let mut ties = Ties::new(&reference, &material, &ties)?;
         ties.hold(&reference, &mut constraints)?;
         reference.lump(&masses, material.thickness(&reference))?;
+        let thickness = material.thickness(&reference);
+        let stiffeners = Stiffeners::new(&stiffeners, &mut reference, thickness)?;
         ties.weigh(&reference, material.thickness(&reference));
         let moving = ties.moving_masses(&reference);
         let junctions = Junctions::new(&reference, moving, |a| ties.of(a).is_none())?;
@@ -282,6 +294,7 @@ impl ShellBuilder {
             evaluation: Evaluation::new(&points, &reference, threads),
             share: Share::alone(reference.cloud.len()),
             dependents: Dependents { junctions, ties },
+            stiffeners,
             reference,
             material,
             points,

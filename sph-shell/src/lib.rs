@@ -25,6 +25,7 @@
 //! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
 //! | edges that hang on sheets whose particles stand elsewhere | `ties/`, [`ShellBuilder::ties`] |
 //! | points that a fluid wets, and the way of its forces | `wetted/`, [`ShellBuilder::wetted`] |
+//! | bars along lines of particles | `stiffeners/`, [`ShellBuilder::stiffeners`] |
 //! | the tangent, of the energy and of the loads | `statics/stiffness.rs`, `statics/load_stiffness.rs`, [`StaticShell`] |
 //!
 //! A plate stretched by a tenth stores what its membrane stiffness says, and its edge bears the force:
@@ -181,6 +182,8 @@
 //! A region may have a strain measure of its own ([`Region::strain`]). [`ShellBuilder::stresses`] puts stresses on the unstrained shell ([`InitialStress`]): in
 //! statics a preload, or counted by the level; in the march there from the start.
 //!
+//! [`ShellBuilder::stiffeners`] lays bars along lines of particles, at a height over them ([`Stiffener`]): the page of `stiffeners/mod.rs` has the formulas.
+//!
 //! [`ShellBuilder::masses`] adds masses to particles, which do not turn with the director.
 //!
 //! # Sections with memory
@@ -261,6 +264,7 @@
 //! | ties: force and tangent are derivatives, constant strains and curvatures are balanced, six zero modes, boxes and frames as closed forms say, momentum is kept | tests/ties.rs, tests/ties_answers.rs |
 //! | a tube ovals at 3 D/R³ under follower pressure, at 4 under dead; Newton stays quadratic | `a_tube_buckles_at_three_under_follower_pressure_and_at_four_under_dead`, `residuals_fall_quadratically_under_follower_pressure` |
 //! | sets moved or turned by level: load rates are derivatives; a column shortened by its end buckles like one pressed; a strip rolls up by its end; the march agrees | `load_rates_are_derivatives_with_respect_to_the_level`, `a_column_shortened_by_its_end_buckles_at_the_load_of_one_that_is_pressed`, `a_strip_rolls_up_to_a_ring_by_its_end`, `a_march_with_a_turned_end_finds_the_same` (tests/prescribed.rs) |
+//! | bars: derivatives, zero modes, beams with a neutral axis, rings, sheets that they stand for, smeared stiffness, buckling of a plate with one, free flight, the step, bits of processes | tests/at_rest/stiffeners.rs, tests/at_rest/stiffened_answers.rs, tests/in_time/stiffened.rs |
 //! | several march it to the same bits: 80 layouts with loads and springs of every kind, on one thread and two; whole marches of plates, of frames with junctions, ties and rigid sets, of what yields; words of refusals | `peers_march_to_the_same_bits_on_many_layouts` (src/time/march/tests.rs), tests/in_time/shared.rs, shared_bodies.rs |
 //! | what is enclosed: volumes of open surfaces, potential, tangent beside the pattern, zero modes, tubes on liquids and gas | tests/at_rest/enclosed.rs, tests/in_time/enclosed.rs |
 //! | preloads: derivatives in both load cases, frequencies of a pulled and a pressed strip, of a tube under follower pressure, buckling at what is left, order of two cases | tests/preload.rs |
@@ -318,6 +322,7 @@ mod shared;
 mod sharing;
 mod shell;
 mod statics;
+mod stiffeners;
 mod ties;
 mod time;
 mod touching;
@@ -330,6 +335,7 @@ use loading::Loading;
 use material::Material;
 use motion::Moving;
 use points::scheme::Points;
+use stiffeners::Stiffeners;
 use time::evaluation::Evaluation;
 use time::share::Share;
 
@@ -354,7 +360,7 @@ pub use conditions::touched::contact_stiffness;
 pub use conditions::turn::Turn;
 pub use conditions::turned::Turned;
 pub use control::arcs::ChordLoss;
-pub use error::{EnclosedError, HeatError, ShellError};
+pub use error::{EnclosedError, HeatError, ShellError, StiffenerError};
 pub use even_bed::{EvenBed, even_bed};
 pub use formulation::{Divergence, Formulation, Reach};
 pub use heat::Temperature;
@@ -364,6 +370,7 @@ pub use points::results::{PointResult, Yielded};
 pub use reference::{Reference, origin_of};
 pub use regions::{PointSection, Region};
 pub use statics::static_shell::StaticShell;
+pub use stiffeners::{BarForce, Stiffener};
 pub use ties::list::Tie;
 pub use ties::loss::TieLoss;
 pub use turning::TurningInertia;
@@ -379,6 +386,8 @@ pub struct Shell {
     constraints: Constraints,
     /// What ties particles to each other.
     dependents: Dependents,
+    /// Bars along its lines.
+    stiffeners: Stiffeners,
     /// What acts from outside.
     loading: Loading,
     motion: Moving,

@@ -22,7 +22,7 @@ impl Shell {
     /// # Errors
     /// [`ShellError::NotShared`]: strains that are not sampled in cells, fluids.
     pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), ShellError> {
-        let Self { reference, points, dependents, loading, evaluation, .. } = self;
+        let Self { reference, points, dependents, stiffeners, loading, evaluation, .. } = self;
         let refusals = [
             (evaluation.plan.is_none(), "a shell whose strains are not sampled in cells"),
             (loading.wetted.is_some(), "a shell in a fluid"),
@@ -39,7 +39,9 @@ impl Shell {
         let cut = Cut::even(particles, peers.count());
         let own = cut.own(peers.rank());
         let touches = loading.touches();
-        let (on_share, reads) = OnShare::new(&loading.loads, &loading.springs, touches, own, reference);
+        let (on_share, mut reads) =
+            OnShare::new(&loading.loads, &loading.springs, touches, own.clone(), reference);
+        reads.extend(stiffeners.reads(&own));
         let share = Share::new(peers, cut, &packs, [reads, dependents.bound()]);
         let ranges = [share.own(), share.interior()];
         evaluation.plan = Some(Fused::plan(&points.packs, &places, ranges, evaluation.threads));

@@ -302,7 +302,8 @@ impl Shell {
     ///
     /// The strong form has no energy of its own; it reports the elastic energy of its strains.
     pub fn evaluate_internal(&mut self, energy: bool) {
-        let Self { reference, material, points, dependents, motion, evaluation, share, .. } = self;
+        let Self { reference, material, points, dependents, stiffeners, motion, evaluation, share, .. } =
+            self;
         let Evaluation { plan, slots, pack_energies, internal_energy, threads, .. } = evaluation;
         if let Some(plan) = plan {
             share.exchange(&mut motion.state);
@@ -312,6 +313,7 @@ impl Shell {
             plan.forces(&sweep, &mut forces[share.own()]);
             *internal_energy =
                 if energy { share.energy(points.packs.points.len(), |pack| plan.energy(pack)) } else { 0.0 };
+            *internal_energy += stiffeners.add(&motion.state, share, &mut forces, energy);
             share.exchange_bound(&mut forces);
             dependents.ties.condense_internal(&motion.state, &mut forces);
             *points.direct_mut() = forces;

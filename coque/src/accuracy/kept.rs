@@ -62,6 +62,7 @@ fn named(scene: &Scene) -> (Vec<String>, Vec<String>) {
     if let Some(shell) = scene.as_shell() {
         acting.extend(shell.parts.iter().map(|part| part.on.clone()));
         acting.extend(shell.masses.iter().map(|mass| mass.on.clone()));
+        acting.extend(shell.stiffeners.iter().map(|bar| bar.on.clone()));
         acting.extend(shell.rigid.iter().map(|set| set.on.clone()));
     }
     (acting, scene.curve.iter().map(|column| column.on.clone()).collect())

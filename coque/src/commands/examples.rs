@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 105] = [
+const EXAMPLES: [Example; 106] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -139,6 +139,7 @@ const EXAMPLES: [Example; 105] = [
     Example::new("thick-ring-solid", 0.2, include_str!("../../../scenes/thick-ring-solid.toml")),
     Example::new("thin-ring", 35.0, include_str!("../../../scenes/thin-ring.toml")),
     Example::new("tied-rib", 0.1, include_str!("../../../scenes/meshes/tied-rib.toml")),
+    Example::new("stiffened-plate", 0.2, include_str!("../../../scenes/stiffened-plate.toml")),
     Example::new("strip-cycled", 0.3, include_str!("../../../scenes/strip-cycled.toml")),
     Example::new("ring-struck", 0.3, include_str!("../../../scenes/ring-struck.toml")),
     Example::new("tube-crushed", 3.0, include_str!("../../../scenes/tube-crushed.toml")),

@@ -107,11 +107,11 @@ const ROWS: &[Row] = &[
         },
     ),
     (
-        &["beam", "truss", "rod", "bar", "cable", "frame", "stiffener"],
+        &["beam", "truss", "rod", "bar", "cable", "frame"],
         &["geometry", "section", "", "bodies"],
         NotYet {
-            feature: "beams and bars",
-            nearest: "strips of shell joined by a mesh of several sheets or by [[ties]]; cables without a mass of their own, [[links]] with bears = \"tension\", and springs, `spring = { … }`",
+            feature: "beams and bars by themselves",
+            nearest: "bars along lines of a shell, [[stiffeners]]; strips of shell joined by a mesh of several sheets or by [[ties]]; cables without a mass of their own, [[links]] with bears = \"tension\", and springs, `spring = { … }`",
         },
     ),
     (

@@ -307,6 +307,8 @@ bounds! {
     Rounding: f64, Range::Within(0.0, 0.125), "0.05 is usual in time, 0 without; it has to end well before the barrier at one half";
     /// Coefficient of friction \[–\].
     FrictionCoefficient: f64, Range::Within(0.0, 2.0), "0.1 to 0.6 are usual; leave it out for a smooth tool";
+    /// Part of a stiffener that is modelled \[–\].
+    StiffenerShare: f64, Range::Within(1e-6, 1.0), "0.5 is the half of one that a plane of symmetry cuts along, 1 all of it";
     /// Iterations of Newton's method, which converges in some ten or not at all.
     Iterations: usize, Range::Within(1.0, 1000.0), "leave it out for the usual number";
     /// Iterations of a relaxation: one that takes more does not come to rest.

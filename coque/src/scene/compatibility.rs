@@ -11,7 +11,7 @@ are those of the unloaded shell, or of the preloaded one: other loads change not
 ";
 
 /// A row of the table: its name, the table it stands in, what it says.
-const ROWS: [(&str, &str, &str); 42] = [
+const ROWS: [(&str, &str, &str); 43] = [
     ("`clamped`", "supports", "on = 'u1', clamped = {}"),
     ("`hinged`", "supports", "on = 'u1', hinged = {}"),
     ("`symmetry`", "supports", "on = 'u1', symmetry = { normal = [1, 0, 0] }"),
@@ -72,6 +72,11 @@ const ROWS: [(&str, &str, &str); 42] = [
     ("`preload` of a load", "preload", "on = 'u1', force = { total = [0, 0, 1] }, preload = true"),
     ("`initial_stress`", "initial_stress", "on = 'all', membrane = [1, 1, 0]"),
     ("`initial_stress`, nothing beside it", "initial_stress", "on = 'all', membrane = [1, 1, 0]"),
+    (
+        "`stiffeners`",
+        "stiffeners",
+        "on = 'v1', eccentricity = 0.1, section.rectangle = { width = 0.1, height = 0.1 }",
+    ),
     ("`velocity`", "velocity", "linear = [0, 0, 1]"),
     ("`moved`, of a solid", "supports", "on = 'x1', moved = { direction = [0, 0, 1], by = 1 }"),
     ("`turned`, of a solid", "supports", "on = 'x1', turned = { axis = [1, 0, 0], by = 1 }"),
@@ -120,7 +125,7 @@ pub(super) fn goes_with() -> String {
         let cell = |kind: &AnalysisKind| {
             let plain = builds(kind, name, table, says);
             let in_time = || {
-                !["velocity", "initial_stress"].contains(&table)
+                !["velocity", "initial_stress", "stiffeners"].contains(&table)
                     && builds(kind, name, table, &format!("{says}, amplitude = {{ ramp = 1 }}"))
             };
             match () {
@@ -168,7 +173,7 @@ fn builds(kind: &AnalysisKind, name: &str, table: &str, says: &str) -> bool {
         "supports" => supports.push(format!("{{ {says} }}")),
         "loads" | "preload" => loads.push(format!("{{ {says} }}")),
         "links" => own = format!("links = [{{ {says} }}]"),
-        "initial_stress" => own = format!("initial_stress = [{{ {says} }}]"),
+        "initial_stress" | "stiffeners" => own = format!("{table} = [{{ {says} }}]"),
         _ if of_solid => own = format!("bodies.block.solid.velocity = {{ {says} }}"),
         _ => own = format!("velocity = {{ {says} }}"),
     }

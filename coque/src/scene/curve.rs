@@ -122,9 +122,8 @@ pub enum Measured {
     ContactForce,
     /// Component of the moment that its tools exert on a shell about a point \[F L\].
     ContactMoment,
-    /// Gap between the face of a shell, at its particles, and that of the nearest tool, of the shell itself or of another body, negative where they
-    /// are in each other \[L\]; to other bodies up to ten times the distance at which they touch, to itself up to half of the
-    /// thickness, which stand for all beyond.
+    /// Gap between the face of a shell, at its particles, and that of the nearest tool, of the shell itself or of another body, negative where they are in each
+    /// other \[L\]; to other bodies up to ten times the distance at which they touch, to itself up to half of the thickness, which stand for all beyond.
     ContactGap,
     /// Depth of contact of a shell, at its particles and its share of the middles of cells, over the distance of its middle at which faces
     /// touch \[–\]: mid-surfaces come through at one. The largest of a set.
@@ -139,8 +138,7 @@ pub enum Measured {
     GlueGap,
     /// Energy that friction has taken of a body \[F L\]: on tools, and one half of what it took where it rubs on another or, a shell, on itself.
     FrictionLoss,
-    /// Equivalent plastic strain of a body that yields, the greatest through the thickness of a shell and of the cells round a particle \[–\]. The largest
-    /// of a set.
+    /// Equivalent plastic strain of a body that yields, the greatest through the thickness of a shell and of the cells round a particle \[–\]. The largest of a set.
     PlasticStrain,
     /// Thickness of a shell that yields, the least of the cells round a particle \[L\]. The least of a set.
     Thickness,
@@ -150,6 +148,10 @@ pub enum Measured {
     EnclosedPressure,
     /// Volume that cells of a shell enclose, with what its load has beside, on the set of the load \[L³\].
     EnclosedVolume,
+    /// Axial force of the stiffeners of a shell at a particle, the mean of the pieces that end there \[F\].
+    BarForce,
+    /// Their bending moment about their centroid, positive where it stretches the side to which normals point \[F L\].
+    BarMoment,
     /// Component of the moment that the supports of a shell, or of a solid of bonds in space, exert about a point \[F L\].
     ReactionMoment,
     /// Angle by which the director has turned about the direction, counted on beyond π \[rad\].
@@ -176,8 +178,7 @@ pub enum Measured {
     MaxPrincipal,
     /// Least principal stress, of a homogeneous shell in its surface \[F/L²\].
     MinPrincipal,
-    /// Tresca's stress, twice the greatest shear stress: the greatest difference of principal stresses, of a shell that of zero across it among them
-    /// \[F/L²\].
+    /// Tresca's stress, twice the greatest shear stress: the greatest difference of principal stresses, of a shell that of zero across it among them \[F/L²\].
     Tresca,
     /// Angle about the normal of a homogeneous shell from a direction to the axis of the greatest principal stress, from −π/2 to π/2 \[rad\].
     PrincipalAngle,
@@ -240,6 +241,8 @@ impl Measured {
             Self::PlasticWork => "plastic-work",
             Self::EnclosedPressure => "enclosed-pressure",
             Self::EnclosedVolume => "enclosed-volume",
+            Self::BarForce => "bar-force",
+            Self::BarMoment => "bar-moment",
             Self::ReactionMoment => "reaction-moment",
             Self::VonMises => "von-mises",
             Self::Stress => "stress",
@@ -289,6 +292,7 @@ impl Measured {
             | Self::GlueForce
             | Self::LinkForce
             | Self::Force
+            | Self::BarForce
             | Self::SectionForce => Quantity::Force,
             Self::Rotation | Self::PrincipalAngle => Quantity::Angle,
             Self::Director
@@ -308,6 +312,7 @@ impl Measured {
             | Self::Moment
             | Self::ReactionMoment
             | Self::SectionMoment
+            | Self::BarMoment
             | Self::Energy => Quantity::Energy,
             Self::StrainEnergy
             | Self::Pressure
@@ -338,6 +343,8 @@ impl Measured {
                 | Self::PlasticWork
                 | Self::EnclosedPressure
                 | Self::EnclosedVolume
+                | Self::BarForce
+                | Self::BarMoment
                 | Self::ContactGap
                 | Self::GreatestDepth
                 | Self::TouchingArea

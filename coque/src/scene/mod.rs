@@ -115,6 +115,10 @@ pub use shell::plies::{Layered, Ply};
 pub use shell::rubber::{MooneyRivlin, NeoHooke, Rubber, RubberLaw};
 pub(crate) use shell::section::MaterialSection;
 pub use shell::section::{Homogeneous, Section, Taper, ThicknessTable};
+pub use shell::stiffeners::{
+    StiffenerElastic, StiffenerMaterial, StiffenerProfile, StiffenerRectangle, StiffenerScene,
+    StiffenerSection, StiffenerSide,
+};
 pub use shell::strength::FibreStrength;
 pub use solid::SolidScene;
 pub use solid::formulation::{Bonds, Correction, Influence, Plane, SolidFormulation, TwoSheets};

@@ -27,7 +27,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 60] = [
+const SCENES: [(&str, Replaced); 62] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -89,9 +89,15 @@ const SCENES: [(&str, Replaced); 60] = [
     ("../coque/tests/metamorphic/plies.toml", &[]),
     ("../coque/tests/metamorphic/stressed.toml", &[]),
     ("../coque/tests/metamorphic/given.toml", &[]),
+    ("../coque/tests/metamorphic/stiffened.toml", &[]),
+    ("../coque/tests/metamorphic/stiffened.toml", &SWINGING),
     ("../coque/tests/metamorphic/bar.toml", &[("curve", STRESSES)]),
     ("thick-ring-solid.toml", &[("curve", STRESSES)]),
 ];
+
+/// In time, through a hundred of its steps.
+const SWINGING: [(&str, &str); 1] =
+    [("analysis", "{ explicit = { transient = { duration = 3e-5, record_every = 1e-5 } } }")];
 
 /// Stresses of a solid.
 const STRESSES: &str = "[

@@ -89,3 +89,28 @@ fn plies_that_are_upturned_bear_the_same() {
     judge(&mut failures, "upturned", "plies", difference(&up, &down, &factors), BOUND);
     assert!(failures.is_empty(), "{failures:#?}");
 }
+
+/// A bar on the upper face stays where it is in space: with the normal turned it stands on the lower one. Its moment is counted from the other side.
+#[test]
+fn a_stiffener_that_is_upturned_moves_alike() {
+    let section = |place: &str| {
+        format!(
+            "material.elastic = {{ young = 70e3, poisson = 0.3, density = 2.7e-9 }}\nsection.homogeneous.thickness = 0.4\n\
+             sets.rib.plane = {{ point = [0, 1, 0], normal = [0, 1, 0] }}\n\
+             stiffeners = [{{ on = \"rib\", section.rectangle = {{ width = 0.3, height = 0.5 }}, {place} }}]"
+        )
+    };
+    let bent = "{ name = \"m\", of = \"bar-moment\", on = \"rib\" }";
+    let up = ran(&sheet(false, &section("side = \"top\""), bent), &[], 1);
+    let mut factors = vec![1.0; up.curve.columns.len()];
+    *factors.last_mut().unwrap() = -1.0;
+    let mut failures = Vec::new();
+    for place in ["side = \"bottom\"", "eccentricity = -0.45"] {
+        let down = ran(&sheet(true, &section(place), bent), &[], 1);
+        judge(&mut failures, "upturned", place, difference(&up, &down, &factors), BOUND);
+    }
+    // On which side it stands matters.
+    let wrong = ran(&sheet(true, &section("side = \"top\""), bent), &[], 1);
+    assert!(difference(&up, &wrong, &factors).0 > 0.01);
+    assert!(failures.is_empty(), "{failures:#?}");
+}

@@ -38,6 +38,7 @@ mod spectra;
 mod spectra_words;
 mod stability;
 mod statics;
+mod stiffeners;
 mod stress_fields;
 mod turned_sprung;
 mod warnings;

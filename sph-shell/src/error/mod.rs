@@ -4,9 +4,11 @@ use sph_core::SpaceError;
 
 mod enclosed;
 mod heat;
+mod stiffener;
 
 pub use enclosed::EnclosedError;
 pub use heat::HeatError;
+pub use stiffener::StiffenerError;
 
 /// A shell that was refused before anything ran.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -14,6 +16,9 @@ pub enum ShellError {
     /// The cloud or its stencils are invalid.
     #[error(transparent)]
     Space(#[from] SpaceError),
+    /// A stiffener that makes no sense.
+    #[error(transparent)]
+    Stiffener(#[from] StiffenerError),
     /// Density must be positive and finite.
     #[error("density is {0}; it must be positive and finite")]
     Density(f64),

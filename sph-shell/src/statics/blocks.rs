@@ -56,7 +56,7 @@ impl ShellPattern {
         if let Some(own) = &shell.loading.own_contact {
             own.pattern(|a, b| rows[a.max(b) as usize].push(a.min(b)));
         }
-        for [a, b] in shell.body_springs().pairs() {
+        for [a, b] in shell.body_springs().pairs().into_iter().chain(shell.stiffeners.pairs()) {
             rows[a.max(b) as usize].push(a.min(b));
         }
         if let Scheme::Wide { control, .. } = &shell.points.scheme {

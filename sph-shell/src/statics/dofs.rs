@@ -111,10 +111,13 @@ impl Shell {
             return group.basis(&self.motion.state, self.constraint(particle), particle, arc);
         }
         let d = self.director(particle);
-        let frame = Frame::from_normal(d);
+        let [t1, t2] = self.stiffeners.axes(particle, &d).unwrap_or_else(|| {
+            let frame = Frame::from_normal(d);
+            [frame.t1, frame.t2]
+        });
         let mut basis = Basis::empty(arc);
         let Some(constraint) = self.constraint(particle) else {
-            for direction in [Vec3::x(), Vec3::y(), Vec3::z(), frame.t1, frame.t2] {
+            for direction in [Vec3::x(), Vec3::y(), Vec3::z(), t1, t2] {
                 basis.push(direction);
             }
             basis.move_first(3);
@@ -126,8 +129,8 @@ impl Shell {
         let translations = 3 - constraint.held.basis().len();
         match constraint.director {
             DirectorHold::Free => {
-                basis.push(frame.t1);
-                basis.push(frame.t2);
+                basis.push(t1);
+                basis.push(t2);
             }
             // The director turns within the plane of its normal.
             DirectorHold::InPlane(normal) => basis.push(normal.cross(&d).normalize()),

@@ -301,9 +301,11 @@ impl<S: DerefMut<Target = Shell>> Equilibrium for StaticShell<S> {
                 if moves {
                     return self.shell.dependents.moving_mass(&self.shell.reference, particle);
                 }
-                let Shell { dependents, reference, motion, .. } = &*self.shell;
+                let Shell { dependents, reference, stiffeners, motion, .. } = &*self.shell;
                 let axis = || self.basis(particle).directions[place];
+                let d = self.shell.director(particle);
                 dependents.turning_mass(reference, thickness, &motion.state, particle, axis) * turning
+                    + stiffeners.turning(particle, &d, axis) / self.dofs.arc.powi(2)
             })
             .collect()
     }

@@ -42,6 +42,7 @@ impl Shell {
     ) {
         let assembly = Assembly { shell: self, pattern, stressed };
         assembly.run(0..self.len(), blocks, self.evaluation.threads.next_power_of_two());
+        self.stiffeners.add_blocks(&self.motion.state, stressed, &pattern.pairs, blocks);
     }
 }
 

@@ -100,8 +100,18 @@ impl Shell {
 
     /// A step by the plan; external forces are already evaluated.
     fn fused_step(&mut self, step: &Step) -> Work {
-        let Self { reference, material, points, constraints, dependents, loading, motion, evaluation, share } =
-            self;
+        let Self {
+            reference,
+            material,
+            points,
+            constraints,
+            dependents,
+            loading,
+            motion,
+            evaluation,
+            share,
+            ..
+        } = self;
         let Evaluation { plan: Some(plan), chunk_work, .. } = evaluation else { return Work::default() };
         let Moving { state, next, rates } = motion;
         let sweep = Sweep { points, law: material.law(), state, energy: false };
@@ -167,8 +177,9 @@ impl Dynamics for Shell {
     }
 
     fn advance(&mut self, step: &Step) -> Work {
-        // Groups and ties gather forces that the fused step does not keep.
-        if self.evaluation.plan.is_some() && self.dependents.is_empty() {
+        // Groups and ties gather forces that the fused step does not keep, and stiffeners add to them.
+        let alone = self.dependents.is_empty() && self.stiffeners.is_empty();
+        if self.evaluation.plan.is_some() && alone {
             self.share.arrive(&mut self.motion.state);
             self.evaluate_external(step.from);
             let work = self.fused_step(step);

@@ -30,4 +30,6 @@ mod sections;
 mod shifted;
 mod springs;
 mod statics;
+mod stiffened_answers;
+mod stiffeners;
 mod uneven;

@@ -13,6 +13,7 @@ mod march;
 mod shared;
 mod shared_bodies;
 mod shared_touching;
+mod stiffened;
 mod strong_form;
 mod strong_form_difference;
 mod turned;

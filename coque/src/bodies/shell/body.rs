@@ -57,6 +57,8 @@ impl Body for Shell {
             Measured::Velocity => self.velocity(a).dot(along),
             Measured::EnclosedPressure => self.enclosed_at(a)[0],
             Measured::EnclosedVolume => self.enclosed_at(a)[1],
+            Measured::BarForce => self.bar_at(a)[0],
+            Measured::BarMoment => self.bar_at(a)[1],
             // The checks leave a shell no other column.
             _ => 0.0,
         }

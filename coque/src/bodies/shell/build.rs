@@ -115,6 +115,7 @@ pub(super) fn assemble(
     })?;
     let wetting = wetting.map(|wetting| Wetting { free_edges: free_edges(&cloud, &supports), ..wetting });
     let masses = builder.masses(&sets)?;
+    let stiffeners = builder.stiffeners(&sets)?;
     let stresses = builder.stresses(&cells)?;
     let temperatures = builder.temperatures(&cells, &cloud)?;
     let tools = builder.tools(&sections, &cloud);
@@ -138,6 +139,7 @@ pub(super) fn assemble(
         .origin(origin)
         .ties(ties)
         .masses(masses)
+        .stiffeners(stiffeners)
         .rigid(rigid)
         .springs(springs)
         .tools(tools)

@@ -6,6 +6,7 @@ use mesh_io::surface::side;
 use sph_shell::Shell;
 
 use super::imported::Provenance;
+use super::stiffeners::described_stiffener;
 use crate::bodies::{Description, LoadResultants, Resultant, TangentCost};
 use crate::scene::body_in_scene::ShellInScene;
 use crate::scene::{
@@ -145,6 +146,12 @@ fn lists(
     modelled
         .extend(scene.shell.masses.iter().map(|lumped| format!("mass of {} on {}", lumped.mass, lumped.on)));
     modelled.extend(scene.shell.ties.iter().map(|tie| format!("{} tied to {}", tie.edge, tie.to)));
+    modelled.extend(scene.shell.stiffeners.iter().map(|bar| described_stiffener(bar, scene.shell)));
+    if !scene.shell.stiffeners.is_empty() {
+        left_out.push(
+            "bending of stiffeners in the surface, inertia of their heights beside rotary inertia".into(),
+        );
+    }
     modelled.extend(scene.shell.rigid.iter().map(|body| match body.mass.get() > 0.0 {
         true => format!("{} rigid, with a mass of {}", body.on, body.mass),
         false => format!("{} rigid", body.on),

@@ -27,6 +27,7 @@ mod refusal;
 mod rigid;
 mod sections;
 mod start;
+mod stiffeners;
 mod stress_fields;
 mod thickness;
 pub(super) mod tools;

@@ -76,6 +76,7 @@ impl Builder<'_> {
             ShellError::TwoRegions { .. } => of_body("parts"),
             ShellError::StressAxis { number, .. } => of_body(&format!("initial_stress[{number}].axis")),
             ShellError::StressOfWideStencils => of_body("initial_stress"),
+            ShellError::Stiffener(cause) => of_body(&format!("stiffeners[{}]", cause.number())),
             ShellError::OwnLaw(_) => of_body("section"),
             ShellError::Enclosed(cause) => {
                 let mut loads = self.scene.loads.iter().filter(|load| !load.heats());

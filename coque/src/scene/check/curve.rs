@@ -156,7 +156,7 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
 /// The same but for what glue does.
 fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     use Measured::{
-        Acceleration, BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director,
+        Acceleration, BarForce, BarMoment, BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director,
         Displacement, EnclosedPressure, EnclosedVolume, Energy, FailureIndex, Flux, Force, FractureEnergy,
         FrictionLoss, GreatestDepth, Level, MaxPrincipal, MembraneForce, MinPrincipal, Moment, Pieces,
         PlasticStrain, PlasticWork, PlyStress, Position, Pressure, PrincipalAngle, Reaction, ReactionMoment,
@@ -202,6 +202,9 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
     known.extend(rubs(scene).then_some(FrictionLoss));
     if scene.as_shell().is_some_and(ShellScene::yields) {
         known.extend([PlasticStrain, Thickness, PlasticWork]);
+    }
+    if scene.as_shell().is_some_and(|shell| !shell.stiffeners.is_empty()) {
+        known.extend([BarForce, BarMoment]);
     }
     if scene.loads.iter().any(|load| load.encloses()) {
         known.extend([EnclosedPressure, EnclosedVolume]);

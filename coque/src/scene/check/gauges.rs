@@ -22,7 +22,11 @@ pub(super) fn check_cut(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Ve
         }
     }
     let value = format!("\"{}\"", probe.of.word());
-    let beside = [("ties", !shell.ties.is_empty()), ("rigid", !shell.rigid.is_empty())];
+    let beside = [
+        ("ties", !shell.ties.is_empty()),
+        ("stiffeners", !shell.stiffeners.is_empty()),
+        ("rigid", !shell.rigid.is_empty()),
+    ];
     if let Some((key, _)) = beside.into_iter().find(|(_, any)| *any) {
         let bound = format!("none beside [[{key}]]: what these carry over a cut is in no cell");
         let repair = "measure `reaction` of what is held on one side, or `membrane-force` along the cut";

@@ -10,6 +10,7 @@ pub(crate) mod plastic;
 pub(crate) mod plies;
 pub(crate) mod rubber;
 pub(crate) mod section;
+pub(crate) mod stiffeners;
 pub(crate) mod strength;
 
 use schemars::JsonSchema;
@@ -22,6 +23,7 @@ use initial_stress::InitialStress;
 use material::Material;
 use parts::{LumpedMass, RigidBody, ShellPart, ShellTie};
 use section::Section;
+use stiffeners::StiffenerScene;
 
 use super::imperfection::Imperfection;
 use super::tools::ToolScene;
@@ -48,6 +50,9 @@ pub struct ShellScene {
     /// Edges that run along another sheet without sharing its particles.
     #[serde(default)]
     pub ties: Vec<ShellTie>,
+    /// Bars along lines of particles, such as stringers, frames and rings.
+    #[serde(default)]
+    pub stiffeners: Vec<StiffenerScene>,
     /// Sets that move as one rigid body each.
     #[serde(default)]
     pub rigid: Vec<RigidBody>,
@@ -119,7 +124,7 @@ impl ShellScene {
     }
 
     /// Keys of a shell: at the top of a scene they mean a lone shell.
-    pub(crate) const WORDS: [&'static str; 14] = [
+    pub(crate) const WORDS: [&'static str; 15] = [
         "geometry",
         "orientation",
         "material",
@@ -127,6 +132,7 @@ impl ShellScene {
         "parts",
         "masses",
         "ties",
+        "stiffeners",
         "rigid",
         "tools",
         "initial_stress",

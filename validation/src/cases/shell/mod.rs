@@ -36,6 +36,7 @@ mod sandwich_panel;
 mod scordelis_lo;
 mod shortened;
 mod stepped_plate;
+mod stiffened_plate;
 mod struck_strip;
 mod thin_ring;
 mod tubes;
@@ -90,7 +91,13 @@ pub fn all() -> Vec<Case> {
     ));
     cases.extend(family(
         "Stability of shells",
-        [buckling::case(), shortened::case(), clamped_cap::case(), external_pressure::case()],
+        [
+            buckling::case(),
+            stiffened_plate::case(),
+            shortened::case(),
+            clamped_cap::case(),
+            external_pressure::case(),
+        ],
     ));
     cases.extend(family(
         "Shells through large rotations",

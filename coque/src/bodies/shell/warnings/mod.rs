@@ -5,6 +5,7 @@
 //! from measured errors of more than two percent, each derived beside its rule; scenes that pass them may still be right (a load
 //! that does not stir what is doubtful), scenes that do not may be off for reasons that no rule knows.
 
+mod bars;
 mod coarse;
 mod contact;
 mod folded;
@@ -37,7 +38,7 @@ struct Rule {
 }
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 24] = [
+const RULES: [Rule; 25] = [
     Rule { kind: WarningKind::NoWork, of: meaningless::no_work },
     Rule { kind: WarningKind::HeldLoad, of: meaningless::held_load },
     Rule { kind: WarningKind::FarNearest, of: meaningless::far_nearest },
@@ -52,6 +53,7 @@ const RULES: [Rule; 24] = [
     Rule { kind: WarningKind::TiedBothSides, of: tied::both_sides },
     Rule { kind: WarningKind::ShallowSheet, of: tied::shallow },
     Rule { kind: WarningKind::ThinProfile, of: profile::profile },
+    Rule { kind: WarningKind::DeepStiffener, of: bars::deep },
     Rule { kind: WarningKind::OffsetInertia, of: offset::inertia },
     Rule { kind: WarningKind::ScaledInertia, of: offset::scaled },
     Rule { kind: WarningKind::PatternModes, of: patterns::among_modes },

@@ -9,6 +9,7 @@ mod parts;
 mod placed;
 mod plies;
 mod rigid;
+mod stiffeners;
 
 use crate::scene::bounded::Polar;
 use crate::scene::error::{SceneError, Verdict};

@@ -3,6 +3,7 @@
 use super::initial_stress::check_initial_stress;
 use super::own_law::check_own_law;
 use super::rigid::check_rigid;
+use super::stiffeners::check_stiffeners;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::sets::check_set_name;
 use crate::scene::error::{SceneError, Verdict};
@@ -88,6 +89,7 @@ pub(in crate::scene::check) fn check_parts(
         check_set_name(scene, &own.path("on"), on)?;
     }
     check_ties(scene, shell, s)?;
+    check_stiffeners(scene, shell, s)?;
     check_rigid(scene, shell, s)?;
     check_initial_stress(scene, shell, s)?;
     check_own_law(scene, shell, s)?;

@@ -1,0 +1,162 @@
+//! Stiffeners of scenes: what a rectangle and its numbers give, gravity, columns, every analysis, what is refused.
+
+#![allow(clippy::unwrap_used)] // a failed test may stop here
+
+use crate::common::refused::refused;
+use crate::common::text;
+use crate::strip::{THIN, last, run, strip};
+use coque::{Scene, WarningKind};
+
+/// A rectangle 0.1 by 0.5 along the middle line of the strip, 10 by 1 and 0.2 thick, of E = 1e6 and ν = 0.
+const RIB: &str =
+    "stiffeners = [{ on = \"rib\", side = \"top\", section.rectangle = { width = 0.1, height = 0.5 } }]";
+/// Its line, and the middle of it.
+const LINE: &str =
+    "rib.plane = { point = [0, 0.5, 0], normal = [0, 1, 0] }\nhalf.nearest = [5.0, 0.5, 0.0]\n";
+
+/// The strip with that rib, under a load on its end.
+fn ribbed(load: &str) -> String {
+    strip(THIN, &format!("{RIB}\nloads = [{{ on = \"u1\", {load} }}]")) + LINE
+}
+
+/// EI about the neutral axis, and the height of that axis.
+fn beam() -> [f64; 2] {
+    let (area, height) = (0.1 * 0.5, 0.35);
+    let neutral = area * height / (0.2 + area);
+    let second = 0.2_f64.powi(3) / 12.0 + area * 0.25 / 12.0 + area * height * height;
+    [1e6 * (second - (0.2 + area) * neutral * neutral), neutral]
+}
+
+/// An end couple bends it as a beam: what is off is that it goes into the sheet over all of its width, and into the bar from there.
+#[test]
+fn a_strip_with_a_rib_is_a_beam() {
+    let [bending, _] = beam();
+    let found = last(&run(&ribbed("couple = { moment = 2.0, axis = [0, -1, 0] }")));
+    let exact = 2.0 * 50.0 / bending;
+    println!("{found} {exact}");
+    assert!((found / exact - 1.0).abs() < 2e-2, "{found} {exact}");
+}
+
+/// The numbers of a rectangle say the same as the rectangle: five digits of J in a strip that does not twist.
+#[test]
+fn a_rectangle_is_a_profile_with_its_numbers() {
+    let force = "force = { total = [0.0, 0.0, 1.0] }";
+    let profile = "section.profile = { area = 0.05, inertia = 1.0416666666666667e-3, torsion = 1.4568e-4, lateral = 4.1666666666666667e-5 }";
+    let numbers = ribbed(force)
+        .replace("section.rectangle = { width = 0.1, height = 0.5 }", profile)
+        .replace("side = \"top\"", "eccentricity = 0.35");
+    let [a, b] = [ribbed(force), numbers].map(|text| last(&run(&text)));
+    assert!((b / a - 1.0).abs() < 1e-6, "{a} {b}");
+}
+
+/// Along the strip the bar bears what its part of the section does: `N = EA(e − z)κ`, `M = EIκ`, in the middle, far from where the couple goes in.
+#[test]
+fn columns_read_what_the_bar_bears() {
+    let columns = "\n[[curve]]\nname = \"n\"\nof = \"bar-force\"\non = \"half\"\n\n[[curve]]\nname = \"m\"\nof = \"bar-moment\"\non = \"half\"\n";
+    let text = ribbed("couple = { moment = 2.0, axis = [0, 1, 0] }");
+    let outcome = run(&format!("{text}{columns}"));
+    let row = outcome.curve.rows.last().unwrap();
+    let [n, m] = [row[row.len() - 2], row[row.len() - 1]];
+    let [bending, neutral] = beam();
+    let curvature = 2.0 / bending;
+    let exact = [1e6 * 0.05 * (0.35 - neutral) * curvature, 1e6 * 0.1 * 0.125 / 12.0 * curvature];
+    println!("{n} {m} {exact:?}");
+    // About y the upper face is stretched.
+    assert!((n / exact[0] - 1.0).abs() < 5e-3 && (m / exact[1] - 1.0).abs() < 5e-3, "{n} {m} {exact:?}");
+}
+
+/// All analyses have it: at rest by every way the same answer, in time the same rest.
+#[test]
+fn every_analysis_has_stiffeners() {
+    let text =
+        ribbed("force = { total = [0.0, 0.0, 0.5] }").replace("particles = [41, 5]", "particles = [21, 3]");
+    let linear = last(&run(&text));
+    for analysis in [
+        "analysis.static.levels = 1",
+        "analysis.relaxation.levels = 1",
+        "analysis.explicit.quasi-static = { levels = 1, period = 3.0, tolerance = 1e-6 }",
+    ] {
+        let found = last(&run(&text.replace("analysis.linear = {}", analysis)));
+        println!("{analysis}: {found} {linear}");
+        assert!((found / linear - 1.0).abs() < 2e-3, "{analysis}: {found} {linear}");
+    }
+}
+
+#[test]
+fn what_no_stiffener_can_have_is_refused() {
+    let scene = ribbed("force = { total = [0.0, 0.0, 1.0] }");
+    let rectangle = "section.rectangle = { width = 0.1, height = 0.5 }";
+    let cases = [
+        ("no such set", "on = \"rib\"", "on = \"ribs\""),
+        ("no place across the surface", "side = \"top\", ", ""),
+        ("two places", "side = \"top\"", "side = \"top\", eccentricity = 0.1"),
+        ("a side of a profile", rectangle, "section.profile = { area = 1.0, inertia = 1.0, torsion = 1.0 }"),
+        ("a width that is none", "width = 0.1", "width = 0.0"),
+        ("more than all of it", "side = \"top\"", "side = \"top\", share = 2.0"),
+        (
+            "a material that is not isotropic",
+            "side = \"top\"",
+            "side = \"top\", material.smeared = { density = 1.0 }",
+        ),
+        (
+            "Poisson's ratio",
+            "side = \"top\"",
+            "side = \"top\", material.elastic = { young = 1.0, poisson = 0.6, density = 1.0 }",
+        ),
+        (
+            "a side of a shell of several thicknesses",
+            "stiffeners = ",
+            "parts = [{ on = \"root\", offset = 0.1 }]\nstiffeners = ",
+        ),
+        ("heat", "force = { total = [0.0, 0.0, 1.0] }", "temperature = { change = 1.0 }"),
+        ("wide stencils", "stiffeners = ", "formulation.nodal = {}\nstiffeners = "),
+        (
+            "no line",
+            "rib.plane = { point = [0, 0.5, 0], normal = [0, 1, 0] }",
+            "rib.box = { min = [0, 0, 0], max = [1, 1, 0] }",
+        ),
+        (
+            "no neighbour",
+            "rib.plane = { point = [0, 0.5, 0], normal = [0, 1, 0] }",
+            "rib.nearest = [0, 0, 0]",
+        ),
+    ];
+    insta::assert_snapshot!(refused(&scene, &cases));
+    let coated = text("sandwich-panel.toml").replacen(
+        "[sets]",
+        "[[stiffeners]]\non = \"u0\"\neccentricity = 0.0\nsection.rectangle = { width = 0.1, height = 0.1 }\n\n[sets]",
+        1,
+    );
+    insta::assert_snapshot!(
+        "a_shell_of_no_isotropic_material",
+        refused(&coated, &[("no material", "title", "title")])
+    );
+}
+
+/// A scene without stiffeners does not know their columns.
+#[test]
+fn columns_of_bars_want_bars() {
+    let text = strip(THIN, "loads = [{ on = \"u1\", force = { total = [0.0, 0.0, 1.0] } }]");
+    let said = refused(&text, &[("no stiffeners", "of = \"displacement\"", "of = \"bar-force\"")]);
+    assert!(said.contains("a shell has"), "{said}");
+}
+
+/// A plate one wide and .01 thick on a blade in its middle surface: of a tenth of its length too stiff by 3.3 % on 32 cells, of a twentieth by .6
+/// (sph-shell/tests/at_rest/stiffened_answers.rs).
+#[test]
+fn deep_stiffeners_are_warned_of() {
+    for (deep, warned) in [(0.1, true), (0.05, false)] {
+        let text = format!(
+            "title = \"Blade\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\nanalysis.linear = {{}}\n\
+             geometry.plate = {{ lengths = [1.0, 1.0], particles = [33, 33] }}\n\
+             material.elastic = {{ young = 2e11, poisson = 0.3, density = 7800.0 }}\nsection.homogeneous.thickness = 0.01\n\
+             supports = [{{ on = [\"u0\", \"u1\"], clamped = {{}} }}]\nloads = [{{ on = \"all\", pressure = {{ value = 1e4 }} }}]\n\
+             stiffeners = [{{ on = \"rib\", eccentricity = {}, section.rectangle = {{ width = 0.01, height = {deep} }} }}]\n\
+             [sets]\nrib.plane = {{ point = [0, 0.5, 0], normal = [0, 1, 0] }}\n",
+            -0.5 * deep
+        );
+        let model = Scene::parse(&text, "scene.toml").unwrap().build(1).unwrap();
+        let found = model.warnings().iter().any(|warning| warning.kind == WarningKind::DeepStiffener);
+        assert_eq!(found, warned, "{deep}: {:?}", model.warnings());
+    }
+}
