@@ -10,7 +10,7 @@ use super::one_solve::OneSolveLevels;
 use super::path::{Levels, arc_length};
 use super::relaxation::RelaxedLevels;
 use super::started::StartedLevels;
-use super::{harmonic, linear, modes};
+use super::{harmonic, heat, linear, modes};
 use crate::bodies::{Ready, TangentCost};
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
@@ -34,6 +34,7 @@ pub(super) enum Course {
     Modal(Modal),
     Harmonic(Harmonic),
     Buckling(Buckling),
+    Heat,
 }
 
 impl Course {
@@ -60,6 +61,7 @@ impl Course {
             Analysis::Modal(wanted) => Self::Modal(*wanted),
             Analysis::Harmonic(wanted) => Self::Harmonic(wanted.clone()),
             Analysis::Buckling(wanted) => Self::Buckling(*wanted),
+            Analysis::Heat(_) => Self::Heat,
         }
     }
 
@@ -92,6 +94,9 @@ impl Course {
             (Self::Buckling(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(modes::buckling(wanted, body.as_mut(), run))
             }
+            (Self::Heat, Ready::Heat(body)) => ControlFlow::Break(heat::steady(body.as_mut(), run)),
+            (_, Ready::Heat(_)) => refused(analysis, "a body that moves"),
+            (Self::Heat, _) => refused(analysis, "a body that conducts heat"),
             (Self::March(_), Ready::Static(_)) => refused(analysis, "a body that is marched"),
             (_, Ready::Dynamic(_)) => refused(analysis, "a body without time"),
         }
@@ -119,7 +124,8 @@ impl Course {
             | Self::ArcLength(_)
             | Self::Modal(_)
             | Self::Harmonic(_)
-            | Self::Buckling(_) => 0.0,
+            | Self::Buckling(_)
+            | Self::Heat => 0.0,
         };
         Instant { time: 0.0, level }
     }

@@ -174,6 +174,7 @@ impl<'a> Frames<'a> {
             Analysis::ArcLength(_) => (State::Balance, Along::Number(0)),
             Analysis::Harmonic(_) => (State::Mode, Along::Level),
             Analysis::Modal(_) | Analysis::Buckling(_) => (State::Mode, Along::Number(1)),
+            Analysis::Heat(_) => (State::Mode, Along::Level),
         };
         let every = task.output.fields.map_or(1, |fields| fields.every).max(1);
         let units = task.units;

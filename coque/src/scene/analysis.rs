@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use super::harmonic::{BaseResponse, Harmonic};
 use super::levels::Levels;
-use super::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static};
+use super::statics::{ArcLength, Buckling, Heat, Linear, Modal, Relaxation, Static};
 use crate::scene::bounded::{Missing, NotNegative, Positive, Rest, Safety};
 
 /// How to find answers; exactly one of the tables is given.
@@ -30,6 +30,8 @@ pub enum Analysis {
     Harmonic(Harmonic),
     /// Buckling levels and modes, linearised about the unloaded or the preloaded shell.
     Buckling(Buckling),
+    /// Temperatures of a shell that conducts heat, in balance.
+    Heat(Heat),
 }
 
 /// Central differences; exactly one of the two tables is given.

@@ -58,6 +58,9 @@ const ONE_SOLVE: &[&str] =
 const SWINGING: &[&str] =
     &["frequency", "circular_frequency", "internal", "kinetic", "external", "dissipated"];
 
+/// Columns of temperatures in balance: heat that enters by each way.
+const HEATED: &[&str] = &["iterations", "supplied", "held", "film", "radiated"];
+
 /// What most analyses without time are.
 const LEVELLED: AnalysisKind = AnalysisKind {
     word: "",
@@ -86,7 +89,7 @@ const MARCH: AnalysisKind = AnalysisKind {
 };
 
 /// All analyses.
-pub const ANALYSES: [AnalysisKind; 9] = [
+pub const ANALYSES: [AnalysisKind; 10] = [
     AnalysisKind { word: "explicit.quasi-static", name: "a quasi-static run", ..MARCH },
     AnalysisKind {
         word: "explicit.transient",
@@ -151,6 +154,16 @@ pub const ANALYSES: [AnalysisKind; 9] = [
         preloads: true,
         ..LEVELLED
     },
+    AnalysisKind {
+        word: "heat",
+        name: "a heat analysis",
+        columns: HEATED,
+        floats: true,
+        wants_driver: false,
+        seeks_force: false,
+        wants_tangent: false,
+        ..LEVELLED
+    },
 ];
 
 /// A static analysis that does not iterate: its conditions are as given, no force is sought.
@@ -167,8 +180,18 @@ const WITHOUT_ITERATIONS: AnalysisKind = AnalysisKind {
 impl Analysis {
     /// The kind of the analysis.
     pub fn kind(&self) -> &'static AnalysisKind {
-        let [quasi_static, transient, linear, levels, arc_length, relaxation, modal, harmonic, buckling] =
-            &ANALYSES;
+        let [
+            quasi_static,
+            transient,
+            linear,
+            levels,
+            arc_length,
+            relaxation,
+            modal,
+            harmonic,
+            buckling,
+            heat,
+        ] = &ANALYSES;
         match self {
             Self::Explicit(explicit) if explicit.quasi_static.is_some() => quasi_static,
             Self::Explicit(_) => transient,
@@ -180,6 +203,7 @@ impl Analysis {
             Self::Modal(_) => modal,
             Self::Harmonic(_) => harmonic,
             Self::Buckling(_) => buckling,
+            Self::Heat(_) => heat,
         }
     }
 

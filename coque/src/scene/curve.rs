@@ -89,6 +89,7 @@ impl Take {
             | Measured::SectionForce
             | Measured::SectionMoment
             | Measured::Energy
+            | Measured::HeldHeat
             | Measured::Flux => Self::Sum,
             Measured::VonMises
             | Measured::Tresca
@@ -209,6 +210,10 @@ pub enum Measured {
     Moment,
     /// Volume of a fluid at rest that flows through a line or a face in a time \[L³/T; by depth in a plane L²/T\].
     Flux,
+    /// Temperature of a shell that conducts heat \[Θ\].
+    Temperature,
+    /// Heat that enters a shell where its temperature is held \[F L/T\].
+    HeldHeat,
 }
 
 impl Measured {
@@ -261,6 +266,8 @@ impl Measured {
             Self::Force => "force",
             Self::Moment => "moment",
             Self::Flux => "flux",
+            Self::Temperature => "temperature",
+            Self::HeldHeat => "held-heat",
         }
     }
 
@@ -309,6 +316,8 @@ impl Measured {
             Self::BendingMoment => Quantity::MomentPerLength,
             Self::Density => Quantity::Density,
             Self::Flux => Quantity::Flux,
+            Self::Temperature => Quantity::Temperature,
+            Self::HeldHeat => Quantity::HeatFlow,
         }
     }
 
@@ -324,6 +333,8 @@ impl Measured {
                 | Self::PlasticWork
                 | Self::EnclosedPressure
                 | Self::EnclosedVolume
+                | Self::Temperature
+                | Self::HeldHeat
                 | Self::ContactGap
                 | Self::GreatestDepth
                 | Self::TouchingArea
@@ -376,16 +387,6 @@ impl Measured {
     pub fn is_of_contact(self) -> bool {
         matches!(self, Self::Pressure | Self::Level | Self::WetLength | Self::Force | Self::Moment)
     }
-}
-
-/// The name of the column that has the mean of one.
-pub(crate) fn mean_of(column: &str) -> String {
-    format!("{column}_mean")
-}
-
-/// The name of the column that has the phase of one.
-pub(crate) fn phase_of(column: &str) -> String {
-    format!("{column}_phase")
 }
 
 fn one() -> f64 {

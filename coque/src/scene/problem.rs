@@ -14,6 +14,7 @@ use super::coupling::Coupling;
 use super::curve::{Measured, Probe};
 use super::fluid::FluidScene;
 use super::glue::GlueScene;
+use super::heat::HeatScene;
 use super::loads::Load;
 use super::output::{ErrorBars, Output};
 use super::rigid::RigidScene;
@@ -60,6 +61,9 @@ pub struct Scene {
     /// Loads.
     #[serde(default)]
     pub loads: Vec<Load>,
+    /// What holds the temperature of a shell and gives it heat, which it conducts.
+    #[serde(default)]
+    pub heat: Vec<HeatScene>,
     /// Surfaces that may touch.
     #[serde(default)]
     pub contact: Vec<ContactScene>,
@@ -211,7 +215,8 @@ impl Scene {
         let supports = self.supports.iter_mut().flat_map(Support::sets_mut);
         let loads = self.loads.iter_mut().map(|load| &mut load.on);
         let columns = self.curve.iter_mut().map(|column| &mut column.on);
-        for on in supports.chain(loads).chain(columns).filter(|on| !self.sets.contains_key(*on)) {
+        let heat = self.heat.iter_mut().map(|heat| &mut heat.on);
+        for on in supports.chain(loads).chain(columns).chain(heat).filter(|on| !self.sets.contains_key(*on)) {
             if let Some(set) = own_name(body, on) {
                 *on = set.into();
             }

@@ -155,11 +155,12 @@ impl Conduction {
         let film = self.film.iter().zip(&values).map(|([by_degree, heat], t)| heat - by_degree * t);
         let radiated =
             self.radiating.iter().map(|(a, own)| own.entering(values[*a as usize]).iter().sum::<f64>());
+        // A sum of nothing is −0.
         let balance = HeatBalance {
-            supplied: self.supplied.iter().sum(),
-            held: held.iter().sum(),
-            film: film.sum(),
-            radiated: radiated.sum(),
+            supplied: 0.0 + self.supplied.iter().sum::<f64>(),
+            held: 0.0 + held.iter().sum::<f64>(),
+            film: 0.0 + film.sum::<f64>(),
+            radiated: 0.0 + radiated.sum::<f64>(),
         };
         let flux = self.operator.gradient(&values).into_iter().enumerate().map(|(c, [g1, g2])| {
             let ([k11, k22, k12], frame) = (self.tensors[c], &self.operator.points[c].frame);

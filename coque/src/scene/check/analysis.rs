@@ -30,7 +30,7 @@ pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
             check_levels(scene, "analysis.relaxation.levels", levels)?;
         }
         Analysis::Harmonic(wanted) => check_harmonic(scene, wanted)?,
-        Analysis::Modal(_) | Analysis::Buckling(_) => {}
+        Analysis::Modal(_) | Analysis::Buckling(_) | Analysis::Heat(_) => {}
     }
     let kind = scene.analysis.kind();
     if kind.wants_tangent {
