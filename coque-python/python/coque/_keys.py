@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     Analysis_6 = TypedDict("Analysis_6", {"modal": "Modal"})
     Analysis_7 = TypedDict("Analysis_7", {"harmonic": "Harmonic"})
     Analysis_8 = TypedDict("Analysis_8", {"buckling": "Buckling"})
-    Analysis: TypeAlias = Union["Analysis_1", "Analysis_2", "Analysis_3", "Analysis_4", "Analysis_5", "Analysis_6", "Analysis_7", "Analysis_8"]
+    Analysis_9 = TypedDict("Analysis_9", {"heat": "Heat"})
+    Analysis: TypeAlias = Union["Analysis_1", "Analysis_2", "Analysis_3", "Analysis_4", "Analysis_5", "Analysis_6", "Analysis_7", "Analysis_8", "Analysis_9"]
     Anisotropy = TypedDict("Anisotropy", {"axis": Sequence[Union[float, str]], "r0": Union[float, str], "r45": Union[float, str], "r90": Union[float, str]})
     Annulus = TypedDict("Annulus", {"centre": Sequence[Union[float, str]], "inner": Union[float, str], "outer": Union[float, str], "spacing": Union[float, str]})
     Arc = TypedDict("Arc", {"angles": Sequence[Union[float, str]], "cells": Sequence[Union[int, str]], "length": Union[float, str], "radius": Union[float, str], "thickness": Union[float, str]})
@@ -51,6 +52,7 @@ if TYPE_CHECKING:
     Coat = TypedDict("Coat", {"thickness": Union[float, str], "young": Union[float, str]})
     ColumnOfFile: TypeAlias = Union[str, int]
     Combination = TypedDict("Combination", {"name": str, "of": Mapping[str, Union[float, str]]})
+    Conducted = TypedDict("Conducted", {"over": Union[float, str]})
     Contact = TypedDict("Contact", {"distance": NotRequired[Union[float, str]], "walls": NotRequired[Sequence["Wall"]]})
     ContactScene = TypedDict("ContactScene", {"between": NotRequired[Sequence[str]], "friction": NotRequired[Union[float, str]], "rounding": NotRequired[Union[float, str]], "stiffness": NotRequired[Union[float, str]]})
     Correction: TypeAlias = Union[Literal['none'], Literal['even'], Literal['balanced'], Literal['energy-factor']]
@@ -73,13 +75,14 @@ if TYPE_CHECKING:
     Disc = TypedDict("Disc", {"centre": Sequence[Union[float, str]], "radius": Union[float, str], "spacing": Union[float, str]})
     Disorder = TypedDict("Disorder", {"fraction": Union[float, str], "seed": Union[int, str]})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]
-    Elastic = TypedDict("Elastic", {"density": Union[float, str], "expansion": NotRequired[Union[float, str]], "poisson": Union[float, str], "strength": NotRequired[Union[float, str]], "young": Union[float, str], "young-values": NotRequired[str]})
+    Elastic = TypedDict("Elastic", {"conductivity": NotRequired[Union[float, str]], "density": Union[float, str], "expansion": NotRequired[Union[float, str]], "poisson": Union[float, str], "strength": NotRequired[Union[float, str]], "young": Union[float, str], "young-values": NotRequired[str]})
     ErrorBars = TypedDict("ErrorBars", {"probes": NotRequired[Sequence["ErrorProbe"]], "sharpen": NotRequired[bool]})
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[Union[float, str]], "transient": NotRequired["Transient"]})
     FibreStrength = TypedDict("FibreStrength", {"across_compression": Union[float, str], "across_tension": Union[float, str], "along_compression": Union[float, str], "along_tension": Union[float, str], "interaction": NotRequired[Union[float, str]], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]]})
     Fields = TypedDict("Fields", {"contact": NotRequired[bool], "every": NotRequired[Union[int, str]], "extruded": NotRequired[bool], "plies": NotRequired[bool], "points": NotRequired[bool], "principal": NotRequired[bool], "reserve": NotRequired["Criterion"], "stresses": NotRequired[bool]})
     FilledSurface = TypedDict("FilledSurface", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[Union[float, str]], "spacing": Union[float, str]})
+    Film = TypedDict("Film", {"ambient": Union[float, str], "coefficient": Union[float, str], "faces": NotRequired["WetFaces"]})
     Fixed: TypeAlias = Mapping[str, Any]
     FluidBlock = TypedDict("FluidBlock", {"lengths": Sequence[Union[float, str]], "origin": NotRequired[Sequence[Union[float, str]]], "spacing": Union[float, str]})
     FluidBlocks = TypedDict("FluidBlocks", {"parts": Sequence["FluidBox"], "spacing": Union[float, str]})
@@ -133,6 +136,8 @@ if TYPE_CHECKING:
     Hardening_4 = TypedDict("Hardening_4", {"table": Sequence[Sequence[Union[float, str]]]})
     Hardening: TypeAlias = Union["Hardening_1", "Hardening_2", "Hardening_3", "Hardening_4"]
     Harmonic = TypedDict("Harmonic", {"base": NotRequired["ShakenBase"], "damping": NotRequired["VibrationDamping"], "frequencies": "Frequencies", "modes": NotRequired[Union[int, str]]})
+    Heat: TypeAlias = Mapping[str, Any]
+    HeatScene = TypedDict("HeatScene", {"edge_flux": NotRequired[Union[float, str]], "film": NotRequired["Film"], "flow": NotRequired[Union[float, str]], "flux": NotRequired[Union[float, str]], "held": NotRequired[Union[float, str]], "on": str, "radiation": NotRequired["RadiationScene"]})
     Held = TypedDict("Held", {"director": NotRequired[Sequence[Sequence[Union[float, str]]]], "displacement": NotRequired[Sequence[Sequence[Union[float, str]]]]})
     Homogeneous = TypedDict("Homogeneous", {"gauss_points": NotRequired[Union[int, str]], "slices": NotRequired[Union[int, str]], "table": NotRequired["ThicknessTable"], "taper": NotRequired["Taper"], "thickness": Union[float, str], "values": NotRequired[str]})
     Imperfection = TypedDict("Imperfection", {"amplitude": Union[float, str], "half_waves": NotRequired[Sequence[Union[int, str]]], "mode": NotRequired[Union[int, str]]})
@@ -157,7 +162,7 @@ if TYPE_CHECKING:
     Material_5 = TypedDict("Material_5", {"smeared": "Smeared"})
     Material_6 = TypedDict("Material_6", {"file": "OfFile"})
     Material: TypeAlias = Union["Material_1", "Material_2", "Material_3", "Material_4", "Material_5", "Material_6"]
-    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['contact-moment'], Literal['contact-gap'], Literal['greatest-depth'], Literal['touching-area'], Literal['glue-force'], Literal['glue-gap'], Literal['friction-loss'], Literal['plastic-strain'], Literal['thickness'], Literal['plastic-work'], Literal['enclosed-pressure'], Literal['enclosed-volume'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['max-principal'], Literal['min-principal'], Literal['tresca'], Literal['principal-angle'], Literal['ply-stress'], Literal['reserve-factor'], Literal['failure-index'], Literal['section-force'], Literal['section-moment'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux']]
+    Measured: TypeAlias = Union[Literal['displacement'], Literal['position'], Literal['reaction'], Literal['contact-force'], Literal['contact-moment'], Literal['contact-gap'], Literal['greatest-depth'], Literal['touching-area'], Literal['glue-force'], Literal['glue-gap'], Literal['friction-loss'], Literal['plastic-strain'], Literal['thickness'], Literal['plastic-work'], Literal['enclosed-pressure'], Literal['enclosed-volume'], Literal['reaction-moment'], Literal['rotation'], Literal['director'], Literal['velocity'], Literal['damage'], Literal['fracture-energy'], Literal['pieces'], Literal['strain-energy'], Literal['von-mises'], Literal['stress'], Literal['max-principal'], Literal['min-principal'], Literal['tresca'], Literal['principal-angle'], Literal['ply-stress'], Literal['reserve-factor'], Literal['failure-index'], Literal['section-force'], Literal['section-moment'], Literal['membrane-force'], Literal['bending-moment'], Literal['shear-force'], Literal['energy'], Literal['pressure'], Literal['density'], Literal['level'], Literal['wet-length'], Literal['force'], Literal['moment'], Literal['flux'], Literal['temperature'], Literal['held-heat']]
     Mesh = TypedDict("Mesh", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[Union[float, str]]})
     Modal = TypedDict("Modal", {"modes": Union[int, str]})
     MooneyRivlin = TypedDict("MooneyRivlin", {"c1": Union[float, str], "c2": Union[float, str]})
@@ -172,7 +177,7 @@ if TYPE_CHECKING:
     OfFile: TypeAlias = Mapping[str, Any]
     OnPlane = TypedDict("OnPlane", {"normal": Sequence[Union[float, str]], "point": Sequence[Union[float, str]], "within": NotRequired[Union[float, str]]})
     Orientation = TypedDict("Orientation", {"axis": Sequence[Union[float, str]], "degrees": Union[float, str]})
-    Orthotropic = TypedDict("Orthotropic", {"density": Union[float, str], "expansion": NotRequired[Sequence[Union[float, str]]], "poisson": Union[float, str], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]], "strength": NotRequired["FibreStrength"], "young_across": Union[float, str], "young_along": Union[float, str]})
+    Orthotropic = TypedDict("Orthotropic", {"conductivity": NotRequired[Sequence[Union[float, str]]], "density": Union[float, str], "expansion": NotRequired[Sequence[Union[float, str]]], "poisson": Union[float, str], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]], "strength": NotRequired["FibreStrength"], "young_across": Union[float, str], "young_along": Union[float, str]})
     OrthotropicSolid = TypedDict("OrthotropicSolid", {"axes": NotRequired[Sequence[Sequence[Union[float, str]]]], "density": Union[float, str], "poisson": Sequence[Union[float, str]], "shear": Sequence[Union[float, str]], "young": Sequence[Union[float, str]]})
     Output = TypedDict("Output", {"checkpoint_every": NotRequired[Union[float, str]], "fields": NotRequired["Fields"], "over_time": NotRequired[bool], "plot": NotRequired["Plot"]})
     PartFormulation = TypedDict("PartFormulation", {"stress-point": NotRequired["PartStressPoint"]})
@@ -191,6 +196,7 @@ if TYPE_CHECKING:
     Pressure = TypedDict("Pressure", {"follower": NotRequired[bool], "value": NotRequired[Union[float, str]], "values": NotRequired[str]})
     Probe = TypedDict("Probe", {"about": NotRequired[Sequence[Union[float, str]]], "at": NotRequired[Sequence[Union[float, str]]], "component": NotRequired["PlyComponent"], "criterion": NotRequired["Criterion"], "direction": NotRequired[Sequence[Union[float, str]]], "face": NotRequired["ShellFace"], "factor": NotRequired[Union[float, str]], "name": str, "of": "Measured", "on": Union[str, Sequence[str]], "ply": NotRequired[Union[int, str]], "take": NotRequired["Take"], "through": NotRequired["Through"], "unit": NotRequired[str]})
     QuasiStatic = TypedDict("QuasiStatic", {"accuracy": NotRequired[Union[float, str]], "damping": NotRequired["Damping"], "hold": NotRequired[Union[float, str]], "levels": "Levels", "period": NotRequired[Union[float, str]], "ramp": NotRequired[Union[float, str]], "stability": NotRequired[bool], "tolerance": NotRequired[Union[float, str]]})
+    RadiationScene = TypedDict("RadiationScene", {"constant": Union[float, str], "emissivity": Union[float, str], "faces": NotRequired["WetFaces"], "surroundings": Union[float, str], "zero": NotRequired[Union[float, str]]})
     Rate_1 = TypedDict("Rate_1", {"cowper-symonds": "CowperSymonds"})
     Rate_2 = TypedDict("Rate_2", {"johnson-cook": "JohnsonCook"})
     Rate: TypeAlias = Union["Rate_1", "Rate_2"]
@@ -252,7 +258,7 @@ if TYPE_CHECKING:
     Symmetry = TypedDict("Symmetry", {"normal": Sequence[Union[float, str]]})
     Take: TypeAlias = Union[Literal['mean'], Literal['sum'], Literal['max'], Literal['min']]
     Taper = TypedDict("Taper", {"gradient": Sequence[Union[float, str]], "point": Sequence[Union[float, str]]})
-    Temperature = TypedDict("Temperature", {"change": NotRequired[Union[float, str]], "difference": NotRequired[Union[float, str]], "values": NotRequired[str]})
+    Temperature = TypedDict("Temperature", {"change": NotRequired[Union[float, str]], "conducted": NotRequired["Conducted"], "difference": NotRequired[Union[float, str]], "values": NotRequired[str]})
     ThicknessTable = TypedDict("ThicknessTable", {"column": str, "file": str})
     Through = TypedDict("Through", {"max": NotRequired[Sequence[Union[float, str]]], "min": NotRequired[Sequence[Union[float, str]]], "normal": Sequence[Union[float, str]], "point": Sequence[Union[float, str]]})
     Time: TypeAlias = Union[Literal['s'], Literal['ms'], Literal['us'], Literal['-']]
@@ -290,4 +296,4 @@ if TYPE_CHECKING:
     WallsScene = TypedDict("WallsScene", {"geometry": "WallGeometry", "motion": NotRequired["WallMotion"]})
     WeaklyCompressible = TypedDict("WeaklyCompressible", {"confined": NotRequired[bool], "courant": NotRequired[Union[float, str]], "density_diffusion": NotRequired[Union[float, str]], "method": NotRequired["FluidMethod"], "smoothing": NotRequired[Union[float, str]], "start": NotRequired["FluidStart"], "viscosity": NotRequired[Union[float, str]], "walls": NotRequired["WallMethod"], "xsph": NotRequired[Union[float, str]]})
     WetFaces: TypeAlias = Union[Literal['both'], Literal['front'], Literal['back']]
-    SceneKeys = TypedDict("SceneKeys", {"analysis": NotRequired["Analysis"], "bodies": NotRequired[Mapping[str, "BodyScene"]], "contact": NotRequired[Sequence["ContactScene"]], "coupling": NotRequired["Coupling"], "curve": NotRequired[Sequence["Probe"]], "error": NotRequired["ErrorBars"], "files": NotRequired[Mapping[str, str]], "formulation": NotRequired["Formulation"], "geometry": NotRequired["Geometry"], "glue": NotRequired[Sequence["GlueScene"]], "imperfection": NotRequired["Imperfection"], "include": NotRequired[Sequence[str]], "initial_stress": NotRequired[Sequence["InitialStress"]], "loads": NotRequired[Sequence["Load"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": NotRequired["Material"], "orientation": NotRequired["Orientation"], "output": NotRequired["Output"], "parameters": NotRequired[Mapping[str, Union[float, str]]], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": NotRequired["Section"], "sets": NotRequired[Mapping[str, "Region"]], "supports": NotRequired[Sequence["Support"]], "ties": NotRequired[Sequence["ShellTie"]], "title": NotRequired[str], "tools": NotRequired[Sequence["ToolScene"]], "units": NotRequired["Units"], "velocity": NotRequired["Velocity"]})
+    SceneKeys = TypedDict("SceneKeys", {"analysis": NotRequired["Analysis"], "bodies": NotRequired[Mapping[str, "BodyScene"]], "contact": NotRequired[Sequence["ContactScene"]], "coupling": NotRequired["Coupling"], "curve": NotRequired[Sequence["Probe"]], "error": NotRequired["ErrorBars"], "files": NotRequired[Mapping[str, str]], "formulation": NotRequired["Formulation"], "geometry": NotRequired["Geometry"], "glue": NotRequired[Sequence["GlueScene"]], "heat": NotRequired[Sequence["HeatScene"]], "imperfection": NotRequired["Imperfection"], "include": NotRequired[Sequence[str]], "initial_stress": NotRequired[Sequence["InitialStress"]], "loads": NotRequired[Sequence["Load"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": NotRequired["Material"], "orientation": NotRequired["Orientation"], "output": NotRequired["Output"], "parameters": NotRequired[Mapping[str, Union[float, str]]], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": NotRequired["Section"], "sets": NotRequired[Mapping[str, "Region"]], "supports": NotRequired[Sequence["Support"]], "ties": NotRequired[Sequence["ShellTie"]], "title": NotRequired[str], "tools": NotRequired[Sequence["ToolScene"]], "units": NotRequired["Units"], "velocity": NotRequired["Velocity"]})
