@@ -180,6 +180,17 @@ fn heated_shells_are_their_closed_forms() {
     let below = 3.0 * (1.0_f64 + m).powi(2) + (1.0 + m * n) * (m * m + 1.0 / (m * n));
     let curvature = 6.0 * 8e-6 * 100.0 * (1.0_f64 + m).powi(2) / (height * below);
     assert_abs_diff_eq!(table.number(1, "value").unwrap(), curvature, epsilon = 0.51e-10);
+    // Two sines along x: what the uneven N₂ couples, −(1 − ν) 32/(9π²) N of the unit, lowers the root; ten sines more by 3e-6.
+    let unit = (PI / side).powi(2);
+    let stiffness = |i: f64| bending * unit * (i * i + 1.0).powi(2) / force;
+    let (a, b, coupled) = (stiffness(1.0), stiffness(2.0), (1.0 - poisson) * 32.0 / (9.0 * PI * PI));
+    let (sum, product) = (a * 5.0 + b * 2.0, 2.0 * 5.0 - coupled * coupled);
+    let root = (sum - (sum * sum - 4.0 * product * a * b).sqrt()) / (2.0 * product);
+    assert_abs_diff_eq!(table.number(2, "value").unwrap() / (change * root), 1.0, epsilon = 1e-5);
+    let m = (2.0 * 50.0 / (200.0 * 0.003_f64)).sqrt();
+    assert_abs_diff_eq!(table.number(3, "value").unwrap(), 80.0 / (0.1 * m).cosh(), epsilon = 0.51e-10);
+    let heat = 200.0 * 0.003 * 0.05 * m * 80.0 * (0.1 * m).tanh();
+    assert_abs_diff_eq!(table.number(4, "value").unwrap(), heat, epsilon = 0.51e-10);
 }
 
 /// A ply under σ at an angle: `A σ² + B σ = 1` with `A = F₁₁c⁴ + F₂₂s⁴ + (F₆₆ + 2F₁₂)s²c²`, `B = F₁c² + F₂s²` \[tsai1971\].

@@ -297,6 +297,7 @@
 
 mod builder;
 mod conditions;
+mod conduction;
 mod control;
 mod dependents;
 mod dispatch;
@@ -359,6 +360,7 @@ pub use conditions::tools::Tool;
 pub use conditions::touched::contact_stiffness;
 pub use conditions::turn::Turn;
 pub use conditions::turned::Turned;
+pub use conduction::{Conduction, ConductionError, Conductor, HeatBalance, Radiation, Temperatures};
 pub use control::arcs::ChordLoss;
 pub use error::{EnclosedError, HeatError, ShellError, StiffenerError};
 pub use even_bed::{EvenBed, even_bed};

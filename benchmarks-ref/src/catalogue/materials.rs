@@ -11,8 +11,8 @@ macro_rules! data {
 /// Shells that are heated, of plies, that yield.
 #[rustfmt::skip]
 pub(super) const SHELLS: &[Entry] = &[
-    Entry { name: "heated_shells", quantity: "change of temperature at which a held plate buckles, curvature of two metals, one a row",
-        uncertainty: "exact for thin plates and for sections of two plies; rounding of the printed digits, 1e-10",
+    Entry { name: "heated_shells", quantity: "changes of temperature at which held plates buckle, curvature of two metals, temperature and heat of a fin, one a row",
+        uncertainty: "exact for thin plates, for sections of two plies and for fins alike across; rounding of the printed digits, 1e-10",
         json: data!("heated_shells") },
     Entry { name: "ply_strength", quantity: "factor on the load of plies and laminates until the first ply fails, by two criteria, one a row",
         uncertainty: "exact within classical lamination; rounding of the printed digits, 1e-10",

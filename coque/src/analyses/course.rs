@@ -10,7 +10,7 @@ use super::one_solve::OneSolveLevels;
 use super::path::{Levels, arc_length};
 use super::relaxation::RelaxedLevels;
 use super::started::StartedLevels;
-use super::{harmonic, linear, modes, random_vibration, response_spectrum};
+use super::{harmonic, heat, linear, modes, random_vibration, response_spectrum};
 use crate::bodies::{Ready, TangentCost};
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
@@ -38,6 +38,7 @@ pub(super) enum Course {
     /// The same without a scene.
     Unshaken,
     Buckling(Buckling),
+    Heat,
 }
 
 impl Course {
@@ -66,6 +67,7 @@ impl Course {
             // A body of no scene has no bases that shake it.
             Analysis::ResponseSpectrum(_) | Analysis::RandomVibration(_) => Self::Unshaken,
             Analysis::Buckling(wanted) => Self::Buckling(*wanted),
+            Analysis::Heat(_) => Self::Heat,
         }
     }
 
@@ -108,6 +110,9 @@ impl Course {
             (Self::Buckling(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(modes::buckling(wanted, body.as_mut(), run))
             }
+            (Self::Heat, Ready::Heat(body)) => ControlFlow::Break(heat::steady(body.as_mut(), run)),
+            (_, Ready::Heat(_)) => refused(analysis, "a body that moves"),
+            (Self::Heat, _) => refused(analysis, "a body that conducts heat"),
             (Self::March(_), Ready::Static(_)) => refused(analysis, "a body that is marched"),
             (_, Ready::Dynamic(_)) => refused(analysis, "a body without time"),
         }
@@ -137,7 +142,8 @@ impl Course {
             | Self::Harmonic(_)
             | Self::Shaken(..)
             | Self::Unshaken
-            | Self::Buckling(_) => 0.0,
+            | Self::Buckling(_)
+            | Self::Heat => 0.0,
         };
         Instant { time: 0.0, level }
     }

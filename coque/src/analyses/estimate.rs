@@ -45,6 +45,7 @@ impl Model {
                 of_march(explicit, body.as_mut(), threads, bytes)
             }
             (Ready::Dynamic(_), _) => Estimate { bytes, ..Estimate::default() },
+            (Ready::Heat(_), _) => Estimate { steps: Some([1.0; 2]), bytes, ..Estimate::default() },
             (Ready::Static(body), analysis) => of_balance(analysis, cases, body.as_mut(), bytes),
         }
     }

@@ -8,6 +8,7 @@ mod criticality;
 mod estimate;
 mod frozen;
 mod harmonic;
+mod heat;
 mod linear;
 mod march;
 mod modes;
@@ -180,6 +181,9 @@ fn with_analysis(analysis: &Analysis, tangent: TangentCost) -> (Vec<String>, Vec
             return of_vibration(wanted.damping.damped(), Some(bases));
         }
         _ => {}
+    }
+    if matches!(analysis, Analysis::Heat(_)) {
+        return (Vec::new(), ["motion", "a course of temperatures in time"].map(String::from).into());
     }
     let Analysis::Explicit(explicit) = analysis else {
         let inertia = (!matches!(analysis, Analysis::Modal(_))).then(|| "inertia".to_string());

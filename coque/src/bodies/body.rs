@@ -253,32 +253,6 @@ pub trait StaticBody: Body + Equilibrium {
     }
 }
 
-/// A body ready for its analysis.
-pub enum Ready {
-    /// For analyses in time.
-    Dynamic(Box<dyn DynamicBody>),
-    /// For analyses without time.
-    Static(Box<dyn StaticBody>),
-}
-
-impl Ready {
-    /// The body, however it is solved.
-    pub fn body(&self) -> &dyn Body {
-        match self {
-            Self::Dynamic(body) => body.as_ref(),
-            Self::Static(body) => body.as_ref(),
-        }
-    }
-
-    /// The same, to be changed.
-    pub fn body_mut(&mut self) -> &mut dyn Body {
-        match self {
-            Self::Dynamic(body) => body.as_mut(),
-            Self::Static(body) => body.as_mut(),
-        }
-    }
-}
-
 /// What a body found while it moved.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Diagnostics {

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::body::{Description, PrescribedPoint, Ready};
+use super::body::{Description, PrescribedPoint};
 use super::contacts_of_scene::ContactsOfScene;
 use super::memory::Memory;
 use super::model::{Identity, Model, ShapeJudge, Task};
 use super::probe::Probe;
+use super::ready::Ready;
 use crate::Warning;
 use crate::scene::Scene;
 

@@ -3,6 +3,7 @@
 //! | where is | look in |
 //! |---|---|
 //! | what a body must offer | `body.rs` |
+//! | for which analyses it is ready | `ready.rs` |
 //! | a body with its task, ready to run | `model.rs` |
 //! | columns of the curve | `probe.rs` |
 //! | what fields show of it | `shown.rs` |
@@ -41,6 +42,7 @@ mod outline;
 mod plies;
 mod point_numbers;
 pub(crate) mod probe;
+mod ready;
 mod recovered;
 mod refusal;
 mod resultants;
@@ -57,8 +59,8 @@ mod yielding;
 
 pub(crate) use body::extent;
 pub use body::{
-    Body, Configuration, Description, Diagnostics, DynamicBody, Mismatch, PrescribedPoint, Ready, Shape,
-    StateArray, StaticBody, TangentCost,
+    Body, Configuration, Description, Diagnostics, DynamicBody, Mismatch, PrescribedPoint, Shape, StateArray,
+    StaticBody, TangentCost,
 };
 use built_body::BuiltBody;
 pub use contact_now::{ContactFields, ContactNow, Spanned, With};
@@ -71,5 +73,6 @@ pub use model::{Model, NoPush, Surrounding, Task};
 pub use one_process::{NotShared, OneProcess};
 pub use outline::Outline;
 pub use probe::Probe;
+pub use ready::{ConductingBody, Ready};
 pub use resultants::{LoadResultants, Resultant};
 pub use yielding::Yielding;

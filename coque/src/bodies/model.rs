@@ -6,11 +6,12 @@ use std::fmt;
 use explicit_dynamics::Exert;
 use sph_core::{Cell, Vec3};
 
-use super::body::{Description, PrescribedPoint, Ready, Shape};
+use super::body::{Description, PrescribedPoint, Shape};
 use super::contacts_of_scene::ContactsOfScene;
 use super::memory::Memory;
 use super::one_process::{NotShared, OneProcess};
 use super::probe::Probe;
+use super::ready::Ready;
 use crate::Warning;
 use crate::ranks::Ranks;
 use crate::results::curve::Column;
@@ -221,6 +222,7 @@ impl Model {
             | "unbalanced"
             | "remaining_displacement" => Quantity::Ratio,
             "circular_frequency" | "frequency" => Quantity::Rate,
+            "supplied" | "held" | "film" | "radiated" => Quantity::HeatFlow,
             _ => Quantity::Energy,
         };
         let unit = |name: &str| units.symbol(quantity(name));

@@ -6,6 +6,7 @@ use explicit_dynamics::MarchError;
 use implicit_statics::EquilibriumError;
 use mesh_io::FieldError;
 use sph_core::Cell;
+use sph_shell::ConductionError;
 
 use super::summary::Summary;
 use crate::bodies::Shape;
@@ -114,6 +115,9 @@ pub enum Failure {
         /// What it needs.
         wanted: &'static str,
     },
+    /// Temperatures were not found.
+    #[error(transparent)]
+    Heat(#[from] ConductionError),
     /// A frame of fields could not be written.
     #[error(transparent)]
     Fields(#[from] FieldError),

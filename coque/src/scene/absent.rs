@@ -67,12 +67,11 @@ const ROWS: &[Row] = &[
         },
     ),
     (
-        &["thermal", "temperature", "heat", "expansion", "conductivity"],
+        &["thermal", "temperature", "convection", "conduction"],
         &[],
-        NotYet {
-            feature: "heat and thermal expansion",
-            nearest: "[[initial_stress]] with the stress that the temperature makes where nothing can expand",
-        },
+        Instead(
+            "a shell is warmed by `temperature` of [[loads]] and conducts heat by [[heat]] with [analysis.heat], its material has `expansion` and `conductivity`; solids have neither",
+        ),
     ),
     (
         &["friction", "self_contact"],

@@ -9,7 +9,7 @@ use super::harmonic::{BaseResponse, Harmonic};
 use super::levels::Levels;
 use super::random_vibration::RandomVibration;
 use super::response_spectrum::SpectrumAnalysis;
-use super::statics::{ArcLength, Buckling, Linear, Modal, Relaxation, Static};
+use super::statics::{ArcLength, Buckling, Heat, Linear, Modal, Relaxation, Static};
 use crate::scene::bounded::{Missing, NotNegative, Positive, Rest, Safety};
 
 /// How to find answers; exactly one of the tables is given.
@@ -36,6 +36,8 @@ pub enum Analysis {
     RandomVibration(RandomVibration),
     /// Buckling levels and modes, linearised about the unloaded or the preloaded shell.
     Buckling(Buckling),
+    /// Temperatures of a shell that conducts heat, in balance.
+    Heat(Heat),
 }
 
 /// Central differences; exactly one of the two tables is given.

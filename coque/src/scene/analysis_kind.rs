@@ -64,6 +64,9 @@ const BASES: &[&str] = &["base"];
 /// Columns of densities by frequency.
 const NOISY: &[&str] = &["frequency", "circular_frequency"];
 
+/// Columns of temperatures in balance: heat that enters by each way.
+const HEATED: &[&str] = &["iterations", "supplied", "held", "film", "radiated"];
+
 /// What most analyses without time are.
 const LEVELLED: AnalysisKind = AnalysisKind {
     word: "",
@@ -92,7 +95,7 @@ const MARCH: AnalysisKind = AnalysisKind {
 };
 
 /// All analyses.
-pub const ANALYSES: [AnalysisKind; 11] = [
+pub const ANALYSES: [AnalysisKind; 12] = [
     AnalysisKind { word: "explicit.quasi-static", name: "a quasi-static run", ..MARCH },
     AnalysisKind {
         word: "explicit.transient",
@@ -175,6 +178,16 @@ pub const ANALYSES: [AnalysisKind; 11] = [
         preloads: true,
         ..LEVELLED
     },
+    AnalysisKind {
+        word: "heat",
+        name: "a heat analysis",
+        columns: HEATED,
+        floats: true,
+        wants_driver: false,
+        seeks_force: false,
+        wants_tangent: false,
+        ..LEVELLED
+    },
 ];
 
 /// A static analysis that does not iterate: its conditions are as given, no force is sought.
@@ -203,6 +216,7 @@ impl Analysis {
             spectrum,
             random,
             buckling,
+            heat,
         ] = &ANALYSES;
         match self {
             Self::Explicit(explicit) if explicit.quasi_static.is_some() => quasi_static,
@@ -217,6 +231,7 @@ impl Analysis {
             Self::ResponseSpectrum(_) => spectrum,
             Self::RandomVibration(_) => random,
             Self::Buckling(_) => buckling,
+            Self::Heat(_) => heat,
         }
     }
 

@@ -80,6 +80,7 @@ impl ColumnUnit {
         match quantity {
             Quantity::Angle => "rad, deg".into(),
             Quantity::Ratio => "- alone".into(),
+            Quantity::Temperature => "Θ alone, whichever unit the scene has".into(),
             Quantity::Length | Quantity::Force | Quantity::Time => parts.concat(),
             Quantity::Stress => {
                 format!("{}; or {form}, {}", STRESSES.map(|(name, _)| name).join(", "), parts.join("; "))

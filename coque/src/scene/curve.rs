@@ -93,6 +93,7 @@ impl Take {
             | Measured::SectionForce
             | Measured::SectionMoment
             | Measured::Energy
+            | Measured::HeldHeat
             | Measured::Flux => Self::Sum,
             Measured::VonMises
             | Measured::Tresca
@@ -218,6 +219,10 @@ pub enum Measured {
     Moment,
     /// Volume of a fluid at rest that flows through a line or a face in a time \[L³/T; by depth in a plane L²/T\].
     Flux,
+    /// Temperature of a shell that conducts heat \[Θ\].
+    Temperature,
+    /// Heat that enters a shell where its temperature is held \[F L/T\].
+    HeldHeat,
 }
 
 impl Measured {
@@ -274,6 +279,8 @@ impl Measured {
             Self::Force => "force",
             Self::Moment => "moment",
             Self::Flux => "flux",
+            Self::Temperature => "temperature",
+            Self::HeldHeat => "held-heat",
         }
     }
 
@@ -328,6 +335,8 @@ impl Measured {
             Self::BendingMoment => Quantity::MomentPerLength,
             Self::Density => Quantity::Density,
             Self::Flux => Quantity::Flux,
+            Self::Temperature => Quantity::Temperature,
+            Self::HeldHeat => Quantity::HeatFlow,
         }
     }
 
@@ -345,6 +354,8 @@ impl Measured {
                 | Self::EnclosedVolume
                 | Self::BarForce
                 | Self::BarMoment
+                | Self::Temperature
+                | Self::HeldHeat
                 | Self::ContactGap
                 | Self::GreatestDepth
                 | Self::TouchingArea
@@ -397,16 +408,6 @@ impl Measured {
     pub fn is_of_contact(self) -> bool {
         matches!(self, Self::Pressure | Self::Level | Self::WetLength | Self::Force | Self::Moment)
     }
-}
-
-/// The name of the column that has the mean of one.
-pub(crate) fn mean_of(column: &str) -> String {
-    format!("{column}_mean")
-}
-
-/// The name of the column that has the phase of one.
-pub(crate) fn phase_of(column: &str) -> String {
-    format!("{column}_phase")
 }
 
 fn one() -> f64 {

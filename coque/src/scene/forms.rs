@@ -13,8 +13,8 @@ use super::source::{BODIES, Source, unknown};
 /// All keys at the top of a scene, in either form.
 fn words() -> Vec<&'static str> {
     let others = [
-        BODIES, "sets", "supports", "loads", "contact", "glue", "links", "joints", "analysis", "coupling",
-        "curve", "output", "error",
+        BODIES, "sets", "supports", "loads", "heat", "contact", "glue", "links", "joints", "analysis",
+        "coupling", "curve", "output", "error",
     ];
     [&["title", "units", "include", "parameters", "files"], &ShellScene::WORDS[..], &others].concat()
 }

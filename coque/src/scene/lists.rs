@@ -10,7 +10,7 @@ use super::error::{SceneError, Verdict};
 use super::source::{BODIES, Source};
 
 /// Lists of tables whose `on` may be a list of names.
-const LISTS: [&str; 3] = ["supports", "loads", "curve"];
+const LISTS: [&str; 4] = ["supports", "loads", "curve", "heat"];
 
 /// Declares the union of each list of sets in a document, and puts its name in place of the list.
 ///

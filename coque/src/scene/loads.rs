@@ -7,6 +7,7 @@ use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
 use crate::scene::bounded::{NotNegative, Positive};
+use crate::scene::heat::Conducted;
 
 /// A load: exactly one kind is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -161,6 +162,8 @@ pub struct Temperature {
     /// Name of an array in memory with a number for each particle of a shell: in a cell the mean of its corners' multiplies `change` and `difference`.
     /// Python brings such arrays.
     pub values: Option<String>,
+    /// In place of numbers: what the shell takes up as it conducts the heat of `[[heat]]`.
+    pub conducted: Option<Conducted>,
 }
 
 /// The one kind of a [`Load`].

@@ -10,6 +10,7 @@ mod cases;
 pub(crate) mod catalogue;
 mod check;
 mod checked;
+mod column_names;
 mod column_unit;
 mod combination;
 mod compatibility;
@@ -24,6 +25,7 @@ mod forms;
 mod glue;
 pub(crate) mod glued;
 mod harmonic;
+mod heat;
 mod imperfection;
 mod includes;
 pub(crate) mod joints;
@@ -70,12 +72,12 @@ pub use analysis_kind::{ANALYSES, AnalysisKind, Contacts};
 pub(crate) use cases::CASE;
 pub use cases::LoadSet;
 pub use checked::Checked;
+pub(crate) use column_names::{mean_of, phase_of};
 pub use combination::Combination;
 pub use contact::ContactScene;
 pub use coupling::{Coupling, CouplingOrder};
 pub use criterion::{Criterion, PlyComponent, ShellFace};
 pub use curve::{Measured, Probe, Take};
-pub(crate) use curve::{mean_of, phase_of};
 pub use explicit_dynamics::Amplitude;
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
 pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};
@@ -85,6 +87,8 @@ pub use harmonic::{
     BaseResponse, Frequencies, FrequencyRange, FrequencySpacing, Harmonic, RayleighDamping, ShakenBase,
     VibrationDamping,
 };
+pub(crate) use heat::count as faces_count;
+pub use heat::{Conducted, Film, HeatScene, RadiationScene};
 pub use imperfection::Imperfection;
 pub use levels::Levels;
 pub use links::{LinkScene, Side};
@@ -135,7 +139,7 @@ pub use solid::material::{OrthotropicSolid, SolidMaterial};
 pub use sph_core::LineSide;
 pub use sph_shell::{Divergence, WetFaces};
 pub use statics::{
-    ArcLength, Branches, Buckling, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation,
+    ArcLength, Branches, Buckling, Heat, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation,
     RelaxationDamping, Static, Stop,
 };
 pub use supports::*;

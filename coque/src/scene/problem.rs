@@ -14,6 +14,7 @@ use super::coupling::Coupling;
 use super::curve::{Measured, Probe};
 use super::fluid::FluidScene;
 use super::glue::GlueScene;
+use super::heat::HeatScene;
 use super::links::LinkScene;
 use super::loads::Load;
 use super::output::{ErrorBars, Output};
@@ -62,6 +63,9 @@ pub struct Scene {
     /// Loads.
     #[serde(default)]
     pub loads: Vec<Load>,
+    /// What holds the temperature of a shell and gives it heat, which it conducts.
+    #[serde(default)]
+    pub heat: Vec<HeatScene>,
     /// Surfaces that may touch.
     #[serde(default)]
     pub contact: Vec<ContactScene>,
@@ -221,8 +225,9 @@ impl Scene {
         let columns = self.curve.iter_mut().map(|column| &mut column.on);
         let links =
             self.links.iter_mut().flat_map(|LinkScene { on, to, .. }| std::iter::once(on).chain(to.as_mut()));
-        for on in supports.chain(loads).chain(columns).chain(links).filter(|on| !self.sets.contains_key(*on))
-        {
+        let heat = self.heat.iter_mut().map(|heat| &mut heat.on);
+        let all = supports.chain(loads).chain(columns).chain(links).chain(heat);
+        for on in all.filter(|on| !self.sets.contains_key(*on)) {
             if let Some(set) = own_name(body, on) {
                 *on = set.into();
             }

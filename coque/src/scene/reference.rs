@@ -196,6 +196,8 @@ impl<'a> Page<'a> {
 pub(super) fn dimension(said: &str) -> Option<&str> {
     let inside = said.split('[').skip(1).filter_map(|rest| rest.split_once(']').map(|(inside, _)| inside));
     inside
-        .filter(|text| ["rad", "degrees"].contains(text) || text.chars().all(|c| "LFTs1/–²³⁴⁵ ,".contains(c)))
+        .filter(|text| {
+            ["rad", "degrees"].contains(text) || text.chars().all(|c| "LFTΘs1/–²³⁴⁵ ,()".contains(c))
+        })
         .last()
 }

@@ -176,3 +176,8 @@ fn usual_radius() -> Positive {
 fn usual_steps() -> Steps {
     Steps::usual(1000)
 }
+
+/// Temperatures of a shell that conducts heat along its mid-surface, in balance: `{}`. What holds and heats it stands in `[[heat]]`.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Heat {}

@@ -119,6 +119,12 @@ pub enum Quantity {
     Flux,
     /// \[L²/T\].
     FluxByDepth,
+    /// \[Θ\].
+    Temperature,
+    /// \[F L/T\].
+    HeatFlow,
+    /// \[F/T\].
+    HeatByLength,
 }
 
 impl Quantity {
@@ -153,13 +159,16 @@ impl Quantity {
             Self::Density => format!("{force} {time}²/{length}⁴"),
             Self::Flux => format!("{length}³/{time}"),
             Self::FluxByDepth => format!("{length}²/{time}"),
+            Self::Temperature => "Θ".into(),
+            Self::HeatFlow => format!("{force} {length}/{time}"),
+            Self::HeatByLength => format!("{force}/{time}"),
         }
     }
 
     /// Powers of length, force and time in it.
     pub(super) fn powers(self) -> [i32; 3] {
         match self {
-            Self::Ratio | Self::Angle => [0, 0, 0],
+            Self::Ratio | Self::Angle | Self::Temperature => [0, 0, 0],
             Self::Length => [1, 0, 0],
             Self::Force | Self::MomentPerLength => [0, 1, 0],
             Self::Time => [0, 0, 1],
@@ -175,6 +184,8 @@ impl Quantity {
             Self::Density => [-4, 1, 2],
             Self::Flux => [3, 0, -1],
             Self::FluxByDepth => [2, 0, -1],
+            Self::HeatFlow => [1, 1, -1],
+            Self::HeatByLength => [0, 1, -1],
         }
     }
 }

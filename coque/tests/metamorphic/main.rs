@@ -27,7 +27,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 62] = [
+const SCENES: [(&str, Replaced); 64] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -43,6 +43,8 @@ const SCENES: [(&str, Replaced); 62] = [
     ("deck-in-quake.toml", &QUAKE),
     ("two-span-cases.toml", &[("geometry.plate.particles", "[41, 3]")]),
     ("heated-plate.toml", &[]),
+    ("plate-heated-aside.toml", &[]),
+    ("cooled-fin.toml", &[]),
     ("sandwich-panel.toml", &[]),
     ("bimetal-strip.toml", &[]),
     ("ring.toml", &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")]),

@@ -6,8 +6,8 @@ use std::collections::HashMap;
 use super::touched::SLIDING;
 use super::{SCENES, common::text, difference, judge, ran};
 
-/// Numbers of new units in an old one: of length, force and time, as from mm, N, s to m, kN, ms.
-const FACTORS: [(&str, f64); 3] = [("L", 1e-3), ("F", 1e-3), ("T", 1e3)];
+/// Numbers of new units in an old one: of length, force and time, as from mm, N, s to m, kN, ms, and of temperature, as from kelvins to degrees Rankine.
+const FACTORS: [(&str, f64); 4] = [("L", 1e-3), ("F", 1e-3), ("T", 1e3), ("Θ", 1.8)];
 /// The units by which columns are named.
 const UNITS: &str = "{ length = \"mm\", force = \"N\", time = \"s\" }";
 const NAMES: [(&str, &str); 4] = [("mm", "L"), ("N", "F"), ("s", "T"), ("rad", "1")];
@@ -16,7 +16,7 @@ const NAMES: [(&str, &str); 4] = [("mm", "L"), ("N", "F"), ("s", "T"), ("rad", "
 fn factor(unit: &str) -> Option<f64> {
     let (above, below) = unit.split_once('/').unwrap_or((unit, ""));
     let product = |words: &str| {
-        words.split_whitespace().try_fold(1.0, |product, word| {
+        words.trim_matches(['(', ')']).split_whitespace().try_fold(1.0, |product, word| {
             let power = ["", "", "²", "³", "⁴"].iter().rposition(|end| word.ends_with(end))?;
             let name = word.trim_end_matches(['²', '³', '⁴']);
             let name = NAMES.iter().find(|(unit, _)| *unit == name).map_or(name, |(_, base)| base);
@@ -111,6 +111,7 @@ fn put(table: &mut toml::Table, path: &str, value: &toml::Value) {
 fn a_scene_in_other_units_gives_the_same_curve_in_those() {
     let units = units();
     assert_eq!(factor("F T²/L⁴"), Some(1e15));
+    assert_eq!(factor("F/(T Θ)"), Some(1e-3 / (1e3 * 1.8)));
     let mut failures = Vec::new();
     // Numbers of a record are in units of their own, not in those that are scaled (coque/tests/runs/base.rs).
     for (name, replaced) in SCENES.into_iter().filter(|(name, _)| !text(name).contains("record = {")) {

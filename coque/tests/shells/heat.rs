@@ -202,7 +202,7 @@ fn strains_that_are_not_small_are_reported() {
 #[test]
 fn what_makes_no_sense_is_refused() {
     let cases: &[(&str, Replaced, &str)] = &[
-        (PLATE, &[("loads[0].temperature", "{}")], "`change`, `difference` or both"),
+        (PLATE, &[("loads[0].temperature", "{}")], "`change`, `difference`, both, or `conducted`"),
         (PLATE, &[("loads[0].temperature.change", "1e300")], "loads[0].temperature.change"),
         (PLATE, &[("material.elastic.expansion", "1e-300")], "material.elastic.expansion"),
         (PLATE, &[("loads[0].on", "\"al\"")], "loads[0].on"),

@@ -12,6 +12,7 @@ mod strip;
 mod branches;
 mod buckling;
 mod cases;
+mod conduction;
 mod conjugate_gradients;
 mod enclosed;
 mod given;

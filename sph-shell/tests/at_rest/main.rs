@@ -6,6 +6,7 @@
 mod common;
 
 mod beams_on_springs;
+mod conduction;
 mod enclosed;
 mod even_bed;
 mod heat;

@@ -5,10 +5,14 @@ use std::collections::BTreeMap;
 use explicit_dynamics::Amplitude;
 use nalgebra::Rotation3;
 use sph_core::{Cell, Vec3};
-use sph_shell::{AppliedLoad, Parts, Shell, ShellError, StaticShell, Supported, Wetting, origin_of};
+use sph_shell::{
+    AppliedLoad, Conduction, Parts, Shell, ShellError, StaticShell, Supported, Wetting, origin_of,
+};
 
 use super::balance::warning_of_start;
 use super::cells::CellSets;
+use super::conducting::ConductingShell;
+use super::conduction::Heated;
 use super::describe::describe;
 use super::edges::free_edges;
 use super::imported::{Imported, Provenance};
@@ -38,11 +42,22 @@ impl Checked {
 
 /// Builds a shell with what is asked of it.
 pub(in crate::bodies) fn shell_model(scene: &ShellInScene<'_>, threads: usize) -> Result<Model, SceneError> {
+    if matches!(scene.analysis, scene::Analysis::Heat(_)) {
+        return conducting_model(scene, threads);
+    }
     let ready = |shell| match scene.analysis {
         scene::Analysis::Explicit(_) => Ready::Dynamic(Box::new(shell)),
         _ => Ready::Static(Box::new(StaticShell::new(shell))),
     };
     Ok(shell_made(scene, threads, None)?.map(ready).model(scene.scene, threads))
+}
+
+/// Builds a shell that conducts heat.
+fn conducting_model(scene: &ShellInScene<'_>, threads: usize) -> Result<Model, SceneError> {
+    let mut parts = assemble(scene, threads, None)?;
+    let conduction = parts.conduction.take().ok_or_else(|| not_a(scene, "shell with [[heat]]"))?;
+    let ready = |shell| Ready::Heat(Box::new(ConductingShell::new(shell, conduction)));
+    Ok(looked_at(scene, parts).map(ready).model(scene.scene, threads))
 }
 
 /// Builds a shell, wets it if that is wanted, and looks at it.
@@ -51,8 +66,12 @@ pub(in crate::bodies) fn shell_made(
     threads: usize,
     wetting: Option<Wetting>,
 ) -> Result<BuiltBody<Shell>, SceneError> {
-    let ShellParts { mut shell, probes, driven, surface, turn, memory, said, sets } =
-        assemble(scene, threads, wetting)?;
+    Ok(looked_at(scene, assemble(scene, threads, wetting)?))
+}
+
+/// A shell with what is known of it before it runs.
+fn looked_at(scene: &ShellInScene<'_>, parts: ShellParts) -> BuiltBody<Shell> {
+    let ShellParts { mut shell, probes, driven, surface, turn, memory, said, sets, .. } = parts;
     let description = describe(scene, &shell, surface.as_ref(), said);
     let mut warnings = warnings_of(scene, turn, &shell);
     let poor = surface.iter().filter_map(|surface| surface.poor.clone());
@@ -66,7 +85,7 @@ pub(in crate::bodies) fn shell_made(
         checksum: Some(surface.checksum),
     });
     let judge = Some(Box::new(judge) as _);
-    Ok(BuiltBody { body: shell, description, memory, identity, probes, driven, warnings, judge, sets })
+    BuiltBody { body: shell, description, memory, identity, probes, driven, warnings, judge, sets }
 }
 
 pub(super) fn assemble(
@@ -117,7 +136,15 @@ pub(super) fn assemble(
     let masses = builder.masses(&sets)?;
     let stiffeners = builder.stiffeners(&sets)?;
     let stresses = builder.stresses(&cells)?;
-    let temperatures = builder.temperatures(&cells, &cloud)?;
+    let conduction = match scene.scene.heat.is_empty() {
+        true => None,
+        false => {
+            let imported = imported.as_ref();
+            let (flat, cloud, sets, cells) = (&flat, &cloud, &sets, &cells);
+            Some(builder.conduction(Heated { flat, cloud, sets, cells, imported, weights })?)
+        }
+    };
+    let temperatures = builder.temperatures(&cells, &cloud, conduction.as_ref())?;
     let tools = builder.tools(&sections, &cloud);
     let own_contact = builder.own_contact(&sections, &cloud);
     let parts = Parts {
@@ -162,7 +189,7 @@ pub(super) fn assemble(
     let surface = imported.map(|imported| imported.provenance());
     let (turn, said) = (builder.turn, sections.said);
     let sets = sets.into_members();
-    Ok(ShellParts { shell, probes, driven, surface, turn, memory, said, sets })
+    Ok(ShellParts { shell, conduction, probes, driven, surface, turn, memory, said, sets })
 }
 
 fn turn(scene: &ShellInScene<'_>) -> Rotation3<f64> {
@@ -172,6 +199,8 @@ fn turn(scene: &ShellInScene<'_>) -> Rotation3<f64> {
 /// A shell with what its curve measures.
 pub(super) struct ShellParts {
     pub(super) shell: Shell,
+    /// How it conducts heat, where the scene has any.
+    conduction: Option<Conduction>,
     probes: Vec<Probe>,
     driven: Option<PrescribedPoint>,
     /// Where the surface comes from, if it was read from a file.

@@ -95,6 +95,11 @@ fn lists(
         },
     ];
     modelled.extend(surface.map(|surface| surface.line.clone()));
+    if !scene.scene.heat.is_empty() {
+        modelled.push(
+            "heat conducted along the surface, one temperature through the thickness, in balance".into(),
+        );
+    }
     let mut left_out: Vec<String> = match scene.shell.material {
         _ if scene.shell.yields() => vec!["fracture".into()],
         Material::Rubber(_) => ["plasticity", "fracture"].map(String::from).into(),

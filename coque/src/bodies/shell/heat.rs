@@ -2,11 +2,12 @@
 
 use shell_kinematics::{Isotropic, MaterialError};
 use sph_core::Cloud;
-use sph_shell::LoadCase;
+use sph_shell::{Conduction, LoadCase};
 
 use super::arrays::{by_cell, by_particle};
 use super::build::Builder;
 use super::cells::CellSets;
+use crate::bodies::refusal::model_error;
 use crate::scene::error::SceneError;
 use crate::scene::{Elastic, Temperature};
 
@@ -21,7 +22,7 @@ pub(super) fn isotropic(young: f64, elastic: &Elastic) -> Result<Isotropic, Mate
 }
 
 impl Builder<'_> {
-    /// The changes of temperature of the scene, in the order of its loads.
+    /// The changes of temperature of the scene, in the order of its loads; some are what the shell conducts.
     ///
     /// # Errors
     /// [`SceneError`] for sets without cells, and for arrays that do not belong to the particles.
@@ -29,15 +30,26 @@ impl Builder<'_> {
         &self,
         sets: &CellSets<'_>,
         cloud: &Cloud,
+        conduction: Option<&Conduction>,
     ) -> Result<Vec<sph_shell::Temperature>, SceneError> {
         let mut all = Vec::new();
         for load in &self.scene.loads {
-            let Some(Temperature { change, difference, values }) = &load.temperature else { continue };
+            let Some(Temperature { change, difference, values, conducted }) = &load.temperature else {
+                continue;
+            };
             let cells = sets.at(&load.at("on"), load.on)?;
             let own = [*change, *difference].map(Option::unwrap_or_default);
-            let changes = match values {
-                None => vec![own; cells.len()],
-                Some(name) => {
+            let conducted = conducted.as_ref().zip(conduction);
+            let changes = match (values, conducted) {
+                (None, Some((own, conduction))) => {
+                    let found = conduction.steady().map_err(|error| {
+                        model_error(self.scene.source, &load.at("temperature.conducted"), &error.to_string())
+                    })?;
+                    let means = by_cell(&found.values, &cells, cloud).into_iter();
+                    means.map(|temperature| [temperature - own.over, 0.0]).collect()
+                }
+                (None, None) => vec![own; cells.len()],
+                (Some(name), _) => {
                     let path = load.at("temperature.values");
                     let scope = self.scene.scope();
                     let factors = by_particle(self.scene.scene, &scope, &path, name, cloud.len())?;

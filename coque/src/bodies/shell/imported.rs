@@ -160,7 +160,8 @@ impl Imported {
         Ok(lines.map(|lines| lines.into_iter().flatten().collect()))
     }
 
-    fn lines(&self, particles: &[u32]) -> Option<Vec<Vec<(u32, f64)>>> {
+    /// The lines of the boundary along which some particles lie, with tributary lengths \[L\]; none if they do not.
+    pub(crate) fn lines(&self, particles: &[u32]) -> Option<Vec<Vec<(u32, f64)>>> {
         chains(particles, &self.surface.positions, &self.edges)
     }
 

@@ -7,6 +7,8 @@ mod body;
 pub(crate) mod build;
 mod cells;
 mod columns;
+mod conducting;
+mod conduction;
 mod contacts;
 mod describe;
 mod edges;

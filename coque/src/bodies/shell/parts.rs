@@ -101,7 +101,7 @@ impl Builder<'_> {
     }
 
     /// Cells of no part, then those of each part.
-    fn owned(
+    pub(super) fn owned(
         &self,
         cloud: &Cloud,
         sets: &CellSets<'_>,

@@ -33,7 +33,7 @@ pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
         Analysis::Harmonic(wanted) => check_harmonic(scene, wanted)?,
         Analysis::ResponseSpectrum(wanted) => check_spectrum(scene, wanted)?,
         Analysis::RandomVibration(wanted) => check_noise(scene, wanted)?,
-        Analysis::Modal(_) | Analysis::Buckling(_) => {}
+        Analysis::Modal(_) | Analysis::Buckling(_) | Analysis::Heat(_) => {}
     }
     let kind = scene.analysis.kind();
     if kind.wants_tangent {

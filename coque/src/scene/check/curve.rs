@@ -155,6 +155,9 @@ fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
 
 /// The same but for what glue does.
 fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
+    if matches!(scene.analysis, Analysis::Heat(_)) {
+        return vec![Measured::Temperature, Measured::HeldHeat, Position];
+    }
     use Measured::{
         Acceleration, BarForce, BarMoment, BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director,
         Displacement, EnclosedPressure, EnclosedVolume, Energy, FailureIndex, Flux, Force, FractureEnergy,

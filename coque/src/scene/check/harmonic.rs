@@ -3,7 +3,8 @@
 use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::bounded::Positive;
-use crate::scene::curve::{Measured, Probe, Take, phase_of};
+use crate::scene::column_names::phase_of;
+use crate::scene::curve::{Measured, Probe, Take};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::harmonic::{Frequencies, Harmonic, RayleighDamping, ShakenBase, VibrationDamping};
 use crate::scene::problem::BodyScene;

@@ -9,7 +9,9 @@ use crate::scene::shell::formulation::{Formulation, Reach};
 
 /// Refuses changes that are none, bodies that do not expand, analyses without a place for it, and columns that do not know it.
 pub(super) fn check_temperature(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Verdict {
-    let Some(Temperature { change, difference, .. }) = &load.temperature else { return Ok(()) };
+    let Some(Temperature { change, difference, conducted, values }) = &load.temperature else {
+        return Ok(());
+    };
     let (s, at) = (&scene.scope(), load.at("temperature"));
     let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
         Err(SceneError::Choice(s.fault(path, value, bound, repair)))
@@ -19,9 +21,23 @@ pub(super) fn check_temperature(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>)
         let bound = format!("none on a {}: shells alone expand", scene.body.word());
         return refuse(&at, heat, &bound, "remove it, or model the body as a shell");
     };
-    if change.is_none() && difference.is_none() {
-        let (bound, repair) =
-            ("`change`, `difference` or both", "temperature = { change = 80.0 } heats all of the thickness");
+    if conducted.is_some() && (change.is_some() || difference.is_some() || values.is_some()) {
+        let repair = "give the numbers to a load of their own: changes of one cell add up";
+        let bound = "none beside `conducted`, which finds them";
+        return refuse(&format!("{at}.conducted"), "a change that is given", bound, repair);
+    }
+    if conducted.is_some() && load.case.is_some() {
+        let repair = "remove it, or give the change in numbers";
+        let bound = "none of what is conducted, which combinations of cases do not multiply";
+        return refuse(&load.at("case"), "a load case", bound, repair);
+    }
+    if let Some(own) = conducted {
+        s.sized(&format!("{at}.conducted.over"), own.over)?;
+    } else if change.is_none() && difference.is_none() {
+        let (bound, repair) = (
+            "`change`, `difference`, both, or `conducted`",
+            "temperature = { change = 80.0 } heats all of the thickness",
+        );
         return Err(SceneError::Choice(s.fault(&at, "no change", bound, repair)));
     }
     s.sized(&format!("{at}.change"), change.unwrap_or_default())?;

@@ -5,6 +5,7 @@ mod analysis;
 mod base;
 mod cases;
 mod conditions;
+mod conduction;
 mod contact;
 mod curve;
 mod enclosed;
@@ -33,6 +34,7 @@ mod wet_rigid;
 use self::analysis::check_analysis;
 use self::cases::check_cases;
 use self::conditions::{check_load, check_support};
+use self::conduction::{check_conduction, check_heat_alone};
 use self::contact::check_contact;
 use self::curve::check_curve;
 use self::fluid::check_velocity_of_fluid;
@@ -67,7 +69,10 @@ pub(super) fn check(scene: &Scene) -> Verdict {
     check_links(scene)?;
     check_rigid_joints(scene)?;
     match scene.is_together() {
-        true => check_together(scene)?,
+        true => {
+            check_heat_alone(scene)?;
+            check_together(scene)?;
+        }
         false => check_alone(&BodyInScene::new(scene, name, body)?)?,
     }
     check_cases(scene)
@@ -103,6 +108,7 @@ fn check_alone(scene: &BodyInScene<'_>) -> Verdict {
     if scene.as_rigid().is_some() {
         check_rigid(scene)?;
     }
+    check_conduction(scene)?;
     check_preload(scene)?;
     check_analysis(scene)?;
     check_curve(scene)

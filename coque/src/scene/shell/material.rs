@@ -94,6 +94,8 @@ pub struct Elastic {
     pub density: Positive,
     /// Coefficient of thermal expansion of a shell that is heated, by any unit Θ of temperature \[1/Θ\].
     pub expansion: Option<f64>,
+    /// Conductivity of a shell along which heat runs, by any unit Θ of temperature \[F/(T Θ)\].
+    pub conductivity: Option<Positive>,
     /// Strength of a shell that von Mises' stress is held against in reserve factors \[F/L²\], such as the yield strength; nothing yields.
     pub strength: Option<Positive>,
 }
@@ -116,6 +118,8 @@ pub struct Orthotropic {
     pub density: Positive,
     /// Coefficients of thermal expansion along the fibre and across it, by any unit Θ of temperature \[1/Θ\].
     pub expansion: Option<[f64; 2]>,
+    /// Conductivities along the fibre and across it, by any unit Θ of temperature \[F/(T Θ)\].
+    pub conductivity: Option<[Positive; 2]>,
     /// Strengths, for reserve factors of plies; nothing fails.
     pub strength: Option<FibreStrength>,
 }

@@ -9,7 +9,7 @@ const LARGE: f64 = 0.04;
 /// A change of temperature by which what is free would strain by more than that.
 pub(super) fn hot(look: &Look<'_>) -> Option<String> {
     let scene = look.scene?;
-    let change = |Temperature { change, difference, values }: &Temperature| {
+    let change = |Temperature { change, difference, values, .. }: &Temperature| {
         let size = |of: &Option<f64>| of.unwrap_or_default().abs();
         let numbers = values.as_ref().and_then(|name| scene.scene.arrays.get(name));
         let most = numbers.map_or(1.0, |all| all.iter().fold(0.0_f64, |most, x| most.max(x.abs())));

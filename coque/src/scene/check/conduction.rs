@@ -1,0 +1,150 @@
+//! Checks of heat that is conducted: what takes part, what it wants of materials, what tells the temperature.
+
+use super::sets::check_set_name;
+use crate::scene::analysis::Analysis;
+use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::error::{SceneError, Verdict};
+use crate::scene::heat::HeatScene;
+use crate::scene::loads::Load;
+use crate::scene::problem::Scene;
+use crate::scene::scope::Scope;
+use crate::scene::shell::ShellScene;
+use crate::scene::shell::formulation::{Formulation, Reach};
+use crate::scene::shell::material::Material;
+
+/// Refuses heat among bodies that are built together.
+pub(super) fn check_heat_alone(scene: &Scene) -> Verdict {
+    if scene.heat.is_empty() && !matches!(scene.analysis, Analysis::Heat(_)) {
+        return Ok(());
+    }
+    let (path, value) = if scene.heat.is_empty() { ("analysis.heat", "heat") } else { ("heat", "heat") };
+    let bound = "none among several bodies or with tools: a shell alone conducts it";
+    Err(SceneError::Choice(scene.scope().fault(path, value, bound, "remove it, or the other bodies")))
+}
+
+/// Refuses heat of what does not conduct, heat that nobody asks for, and temperatures that nothing tells.
+pub(super) fn check_conduction(scene: &BodyInScene<'_>) -> Verdict {
+    let (s, heat) = (&scene.scope(), &scene.scene.heat);
+    let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(s.fault(path, value, bound, repair)))
+    };
+    let analysed = matches!(scene.analysis, Analysis::Heat(_));
+    let asked = scene.loads.iter().find(|load| conducted(load));
+    if !analysed && asked.is_none() {
+        if heat.is_empty() {
+            return Ok(());
+        }
+        let bound = "none that nobody asks for";
+        let repair = "use [analysis.heat], or a load with `temperature = { conducted = { over = 20.0 } }`";
+        return refuse("heat", "heat", bound, repair);
+    }
+    let path = asked.map_or("analysis.heat".to_string(), |load| load.at("temperature.conducted"));
+    let Some(shell) = scene.as_shell() else {
+        let bound = format!("none on a {}: shells alone conduct heat", scene.body.word());
+        return refuse(&path, "heat", &bound, "remove it, or model the body as a shell");
+    };
+    if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
+        let bound = "none but where gradients are sampled in cells";
+        return refuse(&path, "heat", bound, "use [formulation.stress-point] without `support`, the default");
+    }
+    if !shell.ties.is_empty() {
+        let bound = "none across ties, which hand on no heat";
+        return refuse(&path, "heat", bound, "let the sheets share particles, or leave one of them out");
+    }
+    if heat.is_empty() {
+        let repair = "add [[heat]] with what holds the temperature, such as on = \"u0\", held = 100.0";
+        return Err(SceneError::Missing(s.fault(
+            "heat",
+            "nothing",
+            "what holds and heats the shell",
+            repair,
+        )));
+    }
+    for (i, own) in heat.iter().enumerate() {
+        check_kind(scene, own, &format!("heat[{i}]"))?;
+    }
+    if !heat.iter().any(HeatScene::tells) {
+        let bound = "something that tells the temperature: any level of it would do beside heat alone";
+        let repair = "hold a set by `held`, or give faces a `film` or `radiation`";
+        return refuse("heat", "given heat alone", bound, repair);
+    }
+    check_conductivities(shell, &scene.body_scope())?;
+    if analysed { check_without_mechanics(scene, shell) } else { Ok(()) }
+}
+
+/// Whether a load takes conducted temperatures.
+pub(super) fn conducted(load: &Load) -> bool {
+    load.temperature.as_ref().is_some_and(|own| own.conducted.is_some())
+}
+
+/// Refuses numbers out of bounds of one condition.
+fn check_kind(scene: &BodyInScene<'_>, own: &HeatScene, at: &str) -> Verdict {
+    let s = &scene.scope();
+    s.exactly_one(at, "kind", &own.given(), &HeatScene::WORDS)?;
+    check_set_name(scene, &format!("{at}.on"), &own.on)?;
+    for (key, number) in
+        [("held", own.held), ("flow", own.flow), ("flux", own.flux), ("edge_flux", own.edge_flux)]
+    {
+        s.sized(&format!("{at}.{key}"), number.unwrap_or_default())?;
+    }
+    if let Some(film) = &own.film {
+        s.sized(&format!("{at}.film.ambient"), film.ambient)?;
+    }
+    let Some(radiation) = &own.radiation else { return Ok(()) };
+    let key = |key: &str| format!("{at}.radiation.{key}");
+    s.within(
+        &key("emissivity"),
+        radiation.emissivity,
+        [0.0, 1.0],
+        "a black face has 1, polished metal some 0.05",
+    )?;
+    s.sized(&key("zero"), radiation.zero)?;
+    s.sized(&key("surroundings"), radiation.surroundings)?;
+    if radiation.surroundings < radiation.zero {
+        let bound = format!("at least absolute zero, {}", radiation.zero);
+        let repair = "give temperatures in kelvins, or `zero = -273.15` for degrees Celsius";
+        return Err(s.value(&key("surroundings"), radiation.surroundings, &bound, repair));
+    }
+    Ok(())
+}
+
+/// Refuses materials that do not say how they conduct.
+fn check_conductivities(shell: &ShellScene, s: &Scope<'_>) -> Verdict {
+    let parts = (0..shell.parts.len()).map(|i| (shell.in_part(i), s.below(&format!("parts[{i}]"))));
+    for (own, at) in std::iter::once((shell.clone(), s.clone())).chain(parts) {
+        for material in own.section.materials(&own.material) {
+            let given = match material {
+                Material::Elastic(elastic) => elastic.conductivity.is_some(),
+                Material::Orthotropic(orthotropic) => orthotropic.conductivity.is_some(),
+                other => {
+                    let path = format!("material.{}", other.word());
+                    let bound = "elastic or orthotropic: other materials have no conductivity";
+                    let repair = "give the shell an elastic material for its heat";
+                    return Err(SceneError::Choice(at.fault(&path, "heat", bound, repair)));
+                }
+            };
+            if !given {
+                let path = format!("material.{}.conductivity", material.word());
+                let bound = "a conductivity of every material through which heat runs";
+                let fault = at.fault(&path, "nothing", bound, "add it, in force by time and temperature");
+                return Err(SceneError::Missing(fault));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses what moves or presses, which temperatures alone do not know of.
+fn check_without_mechanics(scene: &BodyInScene<'_>, shell: &ShellScene) -> Verdict {
+    let found = [
+        ("supports", scene.supports.is_empty()),
+        ("loads", scene.loads.is_empty()),
+        ("initial_stress", shell.initial_stress.is_empty()),
+        ("tools", shell.tools.is_empty()),
+    ];
+    let Some((key, _)) = found.into_iter().find(|(_, none)| !none) else { return Ok(()) };
+    let s = if matches!(key, "supports" | "loads") { scene.scope() } else { scene.body_scope() };
+    let (value, bound) = (format!("`{key}`"), "none in a heat analysis, in which nothing moves");
+    let repair = "remove it, or use [analysis.static] with a load whose `temperature` is `conducted`";
+    Err(SceneError::Choice(s.fault(key, &value, bound, repair)))
+}

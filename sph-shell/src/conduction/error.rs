@@ -1,0 +1,57 @@
+//! Why heat cannot be conducted.
+
+use implicit_statics::EquilibriumError;
+use sph_core::SpaceError;
+
+/// Why no temperatures are found.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ConductionError {
+    /// The surface cannot be sampled, or an axis stands on it.
+    #[error(transparent)]
+    Space(#[from] SpaceError),
+    /// Conductors that are not one a cell.
+    #[error("{conductors} conductors for {cells} cells; heat is conducted by cells, each by its own")]
+    Cells {
+        /// Cells.
+        cells: usize,
+        /// Conductors.
+        conductors: usize,
+    },
+    /// A cell that does not conduct heat in all directions.
+    #[error(
+        "cell {cell} must conduct heat in all directions, but its conductivity times thickness is {tensor:?}"
+    )]
+    Conductor {
+        /// The cell.
+        cell: usize,
+        /// Its conductance along the axes and between them \[F L/(T Θ)\].
+        tensor: [f64; 3],
+    },
+    /// A particle held at two temperatures.
+    #[error("particle {particle} is held at {} and at {}", temperatures[0], temperatures[1])]
+    Contradiction {
+        /// The particle.
+        particle: u32,
+        /// The temperatures \[Θ\].
+        temperatures: [f64; 2],
+    },
+    /// A piece whose temperature nothing tells.
+    #[error(
+        "nothing tells the temperature of the piece with particle {particle}: hold a set of it, or let it give heat to a film or by radiation"
+    )]
+    Untold {
+        /// A particle of it.
+        particle: u32,
+    },
+    /// Radiation that found no balance.
+    #[error(
+        "no balance of heat after {iterations} iterations; see whether emissivity, temperatures and absolute zero are in the same units"
+    )]
+    NotFound {
+        /// Iterations made.
+        iterations: usize,
+    },
+    /// A matrix that cannot be solved.
+    #[error(transparent)]
+    Balance(#[from] EquilibriumError),
+}
