@@ -7,6 +7,7 @@ use crate::beach::Beach;
 use crate::boundary::points::Boundary;
 use crate::cells::Grid;
 use crate::continuity::{Continuity, Diffusion};
+use crate::current::Current;
 use crate::error::FluidError;
 use crate::formulation::{Formulation, Scheme, WallRule};
 use crate::kernel::Wendland;
@@ -43,6 +44,8 @@ pub struct Fluid {
     pub(crate) formulation: Formulation,
     /// A zone that takes the motion out of waves.
     pub(crate) beach: Option<Beach>,
+    /// A zone that carries the water along.
+    pub(crate) current: Option<Current>,
     pub(crate) gravity: Vec3,
     pub(crate) domain: Option<[Vec3; 2]>,
     pub(crate) threads: usize,
@@ -140,6 +143,7 @@ impl Fluid {
             liquid,
             formulation,
             beach: None,
+            current: None,
             gravity,
             domain,
             threads: threads.max(1),

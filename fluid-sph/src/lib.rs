@@ -106,6 +106,7 @@ mod books;
 mod boundary;
 mod cells;
 mod continuity;
+mod current;
 mod energies;
 mod error;
 mod fluid;
@@ -136,6 +137,7 @@ mod walls;
 mod waves;
 
 pub use beach::Beach;
+pub use current::Current;
 pub use energies::Energies;
 pub use error::FluidError;
 pub use fluid::Fluid;

@@ -107,8 +107,7 @@ fn momentum_is_kept_through_sides() {
 }
 
 /// Gravity along plates: `u = g y(1 − y)/2ν − Σ 4g/(νπ³n³) sin(nπy) exp(−n²π²νt)` over odd n, and what the plates bear at last is the weight.
-/// Measured errors in parts of the greatest speed 1.7, .9 % half way and steady at ten particles, .6, .4 % at twenty: mirrored velocities hold to the
-/// first order of the spacing at the wall.
+/// Measured errors in parts of the greatest speed half way and steady: .84, 1.8 % at ten particles across, .21, .44 % at twenty; of the weight .2 %.
 #[test]
 fn flow_between_plates_starts_as_its_series() {
     let (viscosity, gravity) = (0.5, 0.5);
@@ -121,7 +120,7 @@ fn flow_between_plates_starts_as_its_series() {
         };
         0.5 * gravity / viscosity * y * (1.0 - y) - [1.0, 3.0, 5.0, 7.0, 9.0].map(mode).iter().sum::<f64>()
     };
-    for (across, bounds) in [(10, [0.05, 0.05]), (20, [0.025, 0.025])] {
+    for (across, bounds) in [(10, [0.025, 0.05]), (20, [0.007, 0.014])] {
         let mut fluid = channel(across, viscosity, Vec3::x() * gravity, None);
         let times = [0.2, 2.0];
         let clock = march(&mut fluid, times[0], |_, _| ());
@@ -133,13 +132,13 @@ fn flow_between_plates_starts_as_its_series() {
         let steady = off(&fluid, |y| exact(y, times[1])) / top;
         let borne =
             (fluid.wall_force(0) + fluid.wall_force(1)).x / (gravity * fluid.mass() * fluid.len() as f64);
-        eprintln!("{across}: {half} {steady} {borne}");
         assert!(half < bounds[0] && steady < bounds[1], "{across}: {half} {steady}");
-        assert!((borne - 1.0).abs() < 0.01, "{across}: {borne}");
+        assert!((borne - 1.0).abs() < 0.007, "{across}: {borne}");
     }
 }
 
-/// The upper plate moves at 1 and goes through the box again and again: u = y at last, and both plates are dragged by ν.
+/// The upper plate moves at 1 and goes through the box again and again: u = y at last, and both plates are dragged by ν: measured .05 % of the profile, 1.0 and
+/// .3 % of the drags, which swing by as much while the upper rows pass.
 #[test]
 fn a_plate_that_goes_through_the_sides_drags_the_water() {
     let viscosity = 0.5;
@@ -149,9 +148,8 @@ fn a_plate_that_goes_through_the_sides_drags_the_water() {
     let error = off(&fluid, |y| y);
     let length = 8.0 / 20.0;
     let drag = [0, 1].map(|wall| fluid.wall_force(wall).x / (viscosity * length));
-    eprintln!("{error} {drag:?}");
-    assert!(error < 0.03, "{error}");
-    assert!((drag[0] - 1.0).abs() < 0.1 && (drag[1] + 1.0).abs() < 0.1, "{drag:?}");
+    assert!(error < 0.0015, "{error}");
+    assert!((drag[0] - 1.0).abs() < 0.03 && (drag[1] + 1.0).abs() < 0.03, "{drag:?}");
 }
 
 /// A pool that is periodic along x, all columns alike: water at rest with a wave of the first mode as its velocities.
@@ -195,7 +193,8 @@ fn all_columns_of_a_pool_are_alike() {
     assert!(fluid.free_surface().iter().filter(|open| **open).count() <= columns);
 }
 
-/// A standing wave of one period: ω² = gk tanh kH, by the amplitude of its mode. Measured: +.2 % at 20 rows.
+/// A standing wave of one period: ω² = gk tanh kH, by the amplitude of its mode. Measured −.9 % at 15 rows; water that is compressed by 400 times less than
+/// c² allows and a lattice of h = 1.55 Δx, whose moduli are negative, are both too slow.
 #[test]
 fn a_wave_in_a_periodic_pool_has_its_frequency() {
     let (length, depth) = (1.0, 0.3);
@@ -223,8 +222,7 @@ fn a_wave_in_a_periodic_pool_has_its_frequency() {
     });
     let swings = crossings.len() - 1;
     let found = PI * swings as f64 / (crossings[swings] - crossings[0]);
-    eprintln!("{found} {omega} {}", found / omega - 1.0);
-    assert!(swings >= 3 && (found / omega - 1.0).abs() < 0.02, "{found} {omega}");
+    assert!(swings >= 3 && (found / omega - 1.0).abs() < 0.025, "{found} {omega}");
 }
 
 fn bits(fluid: &Fluid) -> Vec<u64> {
@@ -284,7 +282,7 @@ fn a_state_put_back_goes_on_to_the_same_bits() {
     assert_eq!(resumed.set_state(&arrays[..10]), Err(FluidError::State("gone")));
 }
 
-/// Work of gravity along the sides, losses and kinetic energy close as in a tank.
+/// Work of gravity along the sides, losses and kinetic energy close as in a tank: 6·10⁻⁵ of the work is missing.
 #[test]
 fn energies_close_through_sides() {
     let mut parts = pool(8, [1.0, 0.5]);
@@ -294,9 +292,8 @@ fn energies_close_through_sides() {
     let rows = common::recorded(&mut fluid, 1.0, 0.1);
     let last = rows.last().unwrap();
     assert!(last.energy.external > 0.0 && last.energy.kinetic > 0.0);
-    eprintln!("{:e} of {:e}", last.balance_error, last.energy.external);
     assert!(
-        last.balance_error.abs() < 3e-3 * last.energy.external,
+        last.balance_error.abs() < 2e-4 * last.energy.external,
         "{} {:?}",
         last.balance_error,
         last.energy

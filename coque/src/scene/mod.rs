@@ -72,8 +72,10 @@ pub use criterion::{Criterion, PlyComponent, ShellFace};
 pub use curve::{Measured, Probe, Take};
 pub(crate) use curve::{mean_of, phase_of};
 pub use explicit_dynamics::Amplitude;
+pub use fluid::current::Current;
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
 pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};
+pub use fluid::periodic::PeriodicSides;
 pub use fluid::{FluidMaterial, FluidScene, Liquid};
 pub use glue::GlueScene;
 pub use harmonic::{

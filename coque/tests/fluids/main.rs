@@ -11,5 +11,6 @@ mod floating;
 mod floating_shapes;
 mod fluid;
 mod fluid_scenes;
+mod periodic;
 mod unseen_contact;
 mod waves;

@@ -75,7 +75,7 @@ impl Dynamics for Fluid {
 struct Kicked {
     /// Of squares of the means of old and new velocities.
     square: f64,
-    /// Of their products with gravity.
+    /// Of their products with gravity, and of the power that a current gives.
     weight: f64,
     /// Of what friction takes of a unit of mass in a unit of time.
     friction: f64,
@@ -171,9 +171,9 @@ impl Fluid {
             let [square, weight, friction] = share.add([square, weight, friction]);
             Kicked { square, weight, friction, ..Kicked::default() }
         };
-        let calmed = self.calm(kick);
+        let (calmed, driven) = (self.calm(kick), self.drive(kick));
         self.keep_velocities(step.kick > 0.0);
-        Kicked { friction: work.friction + calmed, ..work }
+        Kicked { friction: work.friction + calmed, weight: work.weight + driven, ..work }
     }
 
     /// Takes motion out of waves in a damping zone, `v ← v (1 − ½βκ)/(1 + ½βκ)`; the power that this takes a unit of mass, of all \[L²/T³\].
