@@ -57,6 +57,12 @@
 //! within, and runs its pairs four at a time over the list. Chunks are of fixed size: the same bits for any number of
 //! threads, and with AVX2 or without.
 //!
+//! # Periodic sides and currents
+//!
+//! [`Fluid::repeated`] makes sides of a box one ([`Periods`]). Before each sort particles within the reach of the kernel from such a side are given copies
+//! beyond the opposite one, and so are points of walls: copies are among the neighbours, are not swept, and take velocities after a kick, pressures of
+//! walls and drags from whom they copy (src/periods.rs). [`Fluid::carry`] draws the water of a zone to a velocity ([`Current`]).
+//!
 //! # Marched by several
 //!
 //! [`Fluid::share`] makes one of several who have built the same fluid (crate `peers`). Cells are owned by those who march it, along a curve through
@@ -96,6 +102,8 @@
 //! | each face of a thin plate bears its own water; past its edge both sides meet | tests/thin.rs |
 //! | instruments read what is known; bad parts are refused; what leaves its bounds is named | tests/gauges.rs |
 //! | a flux sums up to what has passed; moments are those of the forces | tests/flux.rs |
+//! | through periodic sides momentum is kept, uniform states stay so, flows and waves are as their closed forms | tests/periodic.rs |
+//! | a zone keeps the water going, its work is counted | tests/current.rs |
 //! | the kernel is one in sum, its factor its slope; the state has its sound and energy | src/kernel.rs, src/liquid.rs |
 //! | sums by cells do not depend on who adds them | src/books.rs |
 //! | cells beside each other and single precision hold all neighbours; chunks are the same for any threads | src/cells.rs, crate `parallel` |

@@ -59,14 +59,23 @@ fn a_zone_sets_the_water_going() {
             count += 1.0;
         }
     });
-    eprintln!("{:?} {}", flows.map(|flow| flow / count / 0.1), level / count / 0.2);
+    let flows = flows.map(|flow| flow / count / 0.1);
+    let level = level / count / 0.2;
+    assert!(flows.iter().all(|flow| (flow - 1.0).abs() < 0.04), "{flows:?}");
+    assert!((flows[0] - flows[2]).abs() < 0.01 && (level - 1.0).abs() < 0.015, "{flows:?} {level}");
 }
 
-/// What the zone gives is counted as work: with it the energies close.
+/// What the zone gives is counted as work: with it the energies close; .13 % of it is missing after 2 s.
 #[test]
 fn the_work_of_a_zone_is_counted() {
     let mut fluid = channel(2.0, 0.2, 10, 0.5, 0.0);
     let rows = common::recorded(&mut fluid, 2.0, 0.5);
     let last = rows.last().unwrap();
-    eprintln!("{:e} of {:e} {:e}", last.balance_error, last.energy.external, last.energy.kinetic);
+    assert!(last.energy.kinetic > 0.0);
+    assert!(
+        last.balance_error.abs() < 4e-3 * last.energy.external,
+        "{} {:?}",
+        last.balance_error,
+        last.energy
+    );
 }

@@ -86,6 +86,32 @@ fn a_stream_turned_by_a_quarter_is_the_same() {
     }
 }
 
+/// A zone at the left that carries water at rest to the right, and in a mirror one at the right that carries it to the left.
+#[test]
+fn a_current_in_a_mirror_is_the_same() {
+    let level = ("loads[0].gravity.acceleration", "[0.0, -9.81, 0.0]");
+    let zone = ("bodies.water.fluid.current", "{ from = [0.05, 0, 0], length = 0.15, velocity = 0.4 }");
+    let mirrored = [
+        level,
+        (
+            "bodies.water.fluid.current",
+            "{ from = [0.35, 0, 0], along = [-1, 0, 0], length = 0.15, velocity = 0.4 }",
+        ),
+        (
+            "bodies.water.fluid.geometry",
+            "{ blocks = { spacing = 0.01, parts = [{ lengths = [0.4, 0.08], origin = [0.0, 0.02] }, { lengths = [0.25, 0.02], origin = [0.15, 0.0] }, \
+             { lengths = [0.05, 0.02], origin = [0.0, 0.0] }] } }",
+        ),
+        ("bodies.block.walls.geometry.block.origin", "[0.05, 0.0]"),
+    ];
+    let [one, other] = [stream(&[level, zone]), stream(&mirrored)];
+    assert!(column(&one, "u")[10] > 0.1, "{:?}", column(&one, "u"));
+    for name in ["u", "q", "f"] {
+        let off = apart(&one, &other, name, -1.0);
+        assert!(off < 1e-7, "{name}: {off:e}");
+    }
+}
+
 /// In mm, N and s: forces are the same, speeds a thousand times the number.
 #[test]
 fn a_stream_in_other_units_is_the_same() {
@@ -135,8 +161,7 @@ fn the_flow_between_plates_ends_as_its_parabola() {
 #[test]
 fn sides_that_cannot_be_periodic_are_refused() {
     let sides = "periodic = { x = [0.0, 0.4] }";
-    let shell = "[bodies.sheet.shell]\ngeometry.plate = { lengths = [0.1, 0.1], particles = [6, 6] }\nsection = { elastic = { thickness = 0.01, young = 1e9, poisson = 0.3, density = 1000 } }\n";
-    let with_shell = format!("{shell}[bodies.bed.walls]");
+    let float = "[bodies.float.rigid]\ngeometry.box = { min = [0.1, 0.05, 0.0], max = [0.14, 0.09, 0.04], spacing = 0.02 }\ndensity = 500.0\n[bodies.bed.walls]";
     insta::assert_snapshot!(refused(
         STREAM,
         &[
@@ -161,7 +186,26 @@ fn sides_that_cannot_be_periodic_are_refused() {
                 "geometry.block = { lengths = [0.4, 0.04], origin = [0.0, -0.04] }",
                 "geometry.basin = { min = [0.0, 0.0], max = [0.4, 0.4], open = [\"x0\", \"y1\"] }"
             ),
-            ("a structure", "[bodies.bed.walls]", &with_shell),
+            ("a structure", "[bodies.bed.walls]", float),
         ],
     ));
+}
+
+#[test]
+fn currents_that_carry_nothing_are_refused() {
+    let sides = "periodic = { x = [0.0, 0.4] }";
+    let with = |current: &str| format!("{sides}\ncurrent = {{ {current} }}");
+    let cases = [
+        ("short", with("from = [0.1, 0, 0], length = 0.05, velocity = 0.4")),
+        ("fast", with("from = [0.1, 0, 0], length = 0.1, velocity = 4.0")),
+        ("across a side", with("from = [0.35, 0, 0], length = 0.1, velocity = 0.4")),
+        ("above the water", with("from = [0.1, 0.2, 0], along = [0, 1, 0], length = 0.1, velocity = 0.4")),
+        ("no direction", with("from = [0.1, 0, 0], along = [0, 0, 0], length = 0.1, velocity = 0.4")),
+        (
+            "the published march",
+            "current = { from = [0.1, 0, 0], length = 0.1, velocity = 0.4 }\nformulation.weakly-compressible = { method = \"source\" }".into(),
+        ),
+    ];
+    let cases: Vec<_> = cases.iter().map(|(name, to)| (*name, sides, to.as_str())).collect();
+    insta::assert_snapshot!(refused(STREAM, &cases));
 }

@@ -24,7 +24,7 @@ pub(in crate::scene::check) fn check_periodic(scene: &Scene) -> Verdict {
     if let Some((structure, _)) = scene.structures().next() {
         let value = format!("a structure in a fluid with periodic sides, `{name}`");
         let repair = "leave out `periodic`, or make it of walls, which stand or move as they are told";
-        let bound = "in a fluid without: nothing wets a structure across a side";
+        let bound = "none: nothing wets a structure across a side";
         return Err(SceneError::Choice(scene.scope().fault(
             &format!("bodies.{structure}"),
             &value,
@@ -57,7 +57,7 @@ fn check_sides(s: &Scope<'_>, fluid: &FluidScene, periodic: &PeriodicSides) -> V
     let (spacing, smoothing) = (fluid.geometry.spacing(), fluid.formulation.options().smoothing());
     if periodic.sides().iter().all(Option::is_none) {
         let repair = "give the two sides across an axis, as in periodic = { x = [0.0, 1.0] }";
-        return Err(SceneError::Missing(s.fault("periodic", "no axis", "x, y or z", repair)));
+        return Err(s.value("periodic", "a table without an axis", "one with x, y or z", repair));
     }
     for (axis, sides) in periodic.sides().iter().enumerate() {
         let (Some([low, high]), path) = (*sides, format!("periodic.{}", AXES[axis])) else { continue };
@@ -89,7 +89,7 @@ fn check_sides(s: &Scope<'_>, fluid: &FluidScene, periodic: &PeriodicSides) -> V
         let wide = |extent: &Extent| extent.lengths[axis] > length + WHOLE * spacing;
         if let Some(extent) = fluid.geometry.extents().iter().find(|extent| wide(extent)) {
             let value = format!("[{low}, {high}], {length:.6} apart");
-            let bound = format!("as far apart as the fluid is long, {:.6}", extent.lengths[axis]);
+            let bound = format!("at least as far apart as the fluid is long, {:.6}", extent.lengths[axis]);
             let repair = "put the second side farther behind the first, or shorten the fluid";
             return Err(s.value(&path, value, &bound, repair));
         }
