@@ -114,7 +114,7 @@ impl Fluid {
         let gravity = plane(&parts.gravity);
         let mass = liquid.density * spacing.powi(dimensions as i32);
         let kernel = Wendland::new(dimensions, formulation.smoothing * spacing);
-        periods.map_or(Ok(()), |periods| periods.check(dimensions, kernel.reach()))?;
+        periods.map_or(Ok(()), |periods| periods.check(dimensions, CELL * kernel.reach()))?;
         let boundary = Boundary::new(&parts, 3.0 * kernel.h)?;
         let count = parts.positions.len();
         let positions: Vec<Vec3> = parts.positions.iter().map(plane).collect();

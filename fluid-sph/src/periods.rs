@@ -8,10 +8,9 @@ use sph_core::Vec3;
 
 use crate::cells::NOWHERE;
 use crate::error::FluidError;
-use crate::fluid::{CELL, Fluid};
 
-/// Least period in reaches of the kernel: no particle may see another twice, nor itself.
-const LEAST: f64 = 2.0 * CELL;
+/// Least period in widths of cells: no particle may see another twice, nor itself.
+const LEAST: f64 = 2.0;
 
 /// A box of which opposite sides are one, along some axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,16 +22,16 @@ pub struct Periods {
 }
 
 impl Periods {
-    /// Refuses periods shorter than the kernel reaches, and those across a plane.
-    pub(crate) fn check(&self, dimensions: usize, reach: f64) -> Result<(), FluidError> {
+    /// Refuses periods shorter than two cells, which are as wide as the kernel reaches \[L\], and those across a plane.
+    pub(crate) fn check(&self, dimensions: usize, width: f64) -> Result<(), FluidError> {
         let Self { low, lengths } = self;
         if let Some(index) = (0..3).find(|&k| !(low[k].is_finite() && lengths[k].is_finite())) {
             return Err(FluidError::NotFinite { what: "periodic side", index });
         }
-        let short = |k: &usize| lengths[*k] != 0.0 && (*k >= dimensions || lengths[*k] < LEAST * reach);
+        let short = |k: &usize| lengths[*k] != 0.0 && (*k >= dimensions || lengths[*k] < LEAST * width);
         match (0..3).find(short) {
             Some(axis) => {
-                let (period, least) = (lengths[axis], LEAST * reach);
+                let (period, least) = (lengths[axis], LEAST * width);
                 Err(FluidError::Period { axis: ["x", "y", "z"][axis], period, least })
             }
             None => Ok(()),
@@ -40,7 +39,7 @@ impl Periods {
     }
 
     /// How many periods a place lies beyond the box along each axis.
-    fn beyond(&self, at: &Vec3) -> [f64; 3] {
+    pub(crate) fn beyond(&self, at: &Vec3) -> [f64; 3] {
         std::array::from_fn(|k| match self.lengths[k] {
             0.0 => 0.0,
             length => libm::floor((at[k] - self.low[k]) / length),
@@ -141,55 +140,6 @@ impl Copies {
             let source = slots[copy.of as usize];
             if slot != NOWHERE && source != NOWHERE {
                 call(slot as usize, source as usize);
-            }
-        }
-    }
-}
-
-impl Fluid {
-    /// The box of its periodic sides.
-    pub fn periods(&self) -> Option<&Periods> {
-        self.periodic.as_ref().map(|periodic| &periodic.periods)
-    }
-
-    /// The place in the box of periodic sides that a place is \[L\].
-    pub fn within(&self, at: Vec3) -> Vec3 {
-        self.periods().map_or(at, |periods| at + periods.back(&at))
-    }
-
-    /// The shortest of the ways that a way is across periodic sides \[L\].
-    pub(crate) fn shortest(&self, way: Vec3) -> Vec3 {
-        self.periods().map_or(way, |periods| periods.shortest(way))
-    }
-
-    /// Gravity without its components along periodic axes, which weigh on nothing \[L/T²\].
-    pub fn gravity_across(&self) -> Vec3 {
-        self.periods().map_or(self.gravity, |periods| periods.across(&self.gravity))
-    }
-
-    /// The way of a particle from its place at the start, through periodic sides \[L\].
-    pub fn displacement(&self, particle: usize) -> Vec3 {
-        let here = self.positions()[particle] - self.rest[particle];
-        let Some(Periodic { periods, gone }) = &self.periodic else { return here };
-        here + periods.lengths.component_mul(&Vec3::from(gone[particle]))
-    }
-
-    /// Takes particles that have left by periodic sides in by the opposite ones.
-    pub(crate) fn go_round(&mut self) {
-        let Some(Periodic { periods, gone }) = &mut self.periodic else { return };
-        for (position, gone) in self.present.positions.iter_mut().zip(gone) {
-            let beyond = periods.beyond(position);
-            if beyond == [0.0; 3] {
-                continue;
-            }
-            *position += periods.back(position);
-            for k in 0..3 {
-                gone[k] += beyond[k];
-                // Rounding must not leave it on the far side.
-                if beyond[k] < 0.0 && position[k] >= periods.low[k] + periods.lengths[k] {
-                    position[k] = periods.low[k];
-                    gone[k] += 1.0;
-                }
             }
         }
     }

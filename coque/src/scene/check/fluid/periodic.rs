@@ -23,7 +23,7 @@ pub(in crate::scene::check) fn check_periodic(scene: &Scene) -> Verdict {
     check_method(s, fluid)?;
     if let Some((structure, _)) = scene.structures().next() {
         let value = format!("a structure in a fluid with periodic sides, `{name}`");
-        let repair = "leave out `periodic`, or make it of walls, which stand or move as they are told";
+        let repair = "leave out `periodic`, or make it of walls, which stand or have a given motion";
         let bound = "none: nothing wets a structure across a side";
         return Err(SceneError::Choice(scene.scope().fault(
             &format!("bodies.{structure}"),
