@@ -11,7 +11,7 @@ pub struct Energies {
     pub kinetic: f64,
     /// Of compression.
     pub compression: f64,
-    /// `−Σ m g·r`.
+    /// `−Σ m g·r`, without the components of gravity along periodic axes.
     pub potential: f64,
     /// Taken by friction so far.
     pub viscous: f64,
@@ -23,7 +23,8 @@ impl Fluid {
     /// The energies at present.
     pub fn energies(&self) -> Energies {
         let kinetic: f64 = self.velocities().iter().map(|v| v.norm_squared()).sum();
-        let weight: f64 = self.positions().iter().map(|r| self.gravity.dot(r)).sum();
+        let gravity = self.gravity_across();
+        let weight: f64 = self.positions().iter().map(|r| gravity.dot(r)).sum();
         Energies {
             kinetic: 0.5 * self.mass * kinetic,
             compression: self.compression(),

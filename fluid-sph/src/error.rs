@@ -73,6 +73,21 @@ pub enum FluidError {
     /// What one process marches alone.
     #[error("{0} is marched by one process alone; start it as one, with threads")]
     NotShared(&'static str),
+    /// A period shorter than the kernel is wide, or across a plane.
+    #[error(
+        "the period along {axis} is {period}; it must be at least {least:.6} in the plane or space of the fluid, twice the reach of the kernel"
+    )]
+    Period {
+        /// Along which axis.
+        axis: &'static str,
+        /// The period given \[L\].
+        period: f64,
+        /// The least \[L\].
+        least: f64,
+    },
+    /// What periodic sides do not go with.
+    #[error("{0} does not go with periodic sides; remove one of the two")]
+    NotPeriodic(&'static str),
     /// An axis of no length.
     #[error("the axis of rotation of wall {0} has no length; give a direction")]
     Axis(usize),

@@ -1,6 +1,4 @@
-//! A fluid under way, and all of it that changes: from that a run goes on to the same bits.
-
-use std::borrow::Cow;
+//! A fluid under way.
 
 use explicit_dynamics::{BoundaryDriven, BoundaryState};
 use sph_core::Vec3;
@@ -9,14 +7,16 @@ use crate::beach::Beach;
 use crate::boundary::points::Boundary;
 use crate::cells::Grid;
 use crate::continuity::{Continuity, Diffusion};
+use crate::current::Current;
 use crate::error::FluidError;
-use crate::formulation::Formulation;
+use crate::formulation::{Formulation, Scheme, WallRule};
 use crate::kernel::Wendland;
 use crate::ledger::{Ledger, Sums};
 use crate::liquid::Liquid;
 use crate::momentum::{ForceSum, Momentum, Viscosity};
 use crate::pair::Row;
 use crate::parts::{Parts, Start};
+use crate::periods::{Copies, Periodic, Periods};
 use crate::share::Share;
 use crate::sorted::Sorted;
 use crate::start;
@@ -44,6 +44,8 @@ pub struct Fluid {
     pub(crate) formulation: Formulation,
     /// A zone that takes the motion out of waves.
     pub(crate) beach: Option<Beach>,
+    /// A zone that carries the water along.
+    pub(crate) current: Option<Current>,
     pub(crate) gravity: Vec3,
     pub(crate) domain: Option<[Vec3; 2]>,
     pub(crate) threads: usize,
@@ -53,6 +55,10 @@ pub struct Fluid {
     /// Of the particles that it knows: all, unless others march it too.
     pub(crate) present: State,
     pub(crate) share: Share,
+    /// Sides that are one.
+    pub(crate) periodic: Option<Periodic>,
+    /// Where the particles stand, and their copies across such sides.
+    pub(crate) copies: Copies,
     pub(crate) boundary: Boundary,
     pub(crate) grid: Grid,
     pub(crate) sorted: Sorted,
@@ -80,12 +86,35 @@ impl Fluid {
     /// # Errors
     /// [`FluidError`] for numbers out of bounds, lists of wrong lengths, and particles less than half a spacing apart.
     pub fn new(parts: Parts) -> Result<Self, FluidError> {
+        Self::built(parts, None)
+    }
+
+    /// The same in a box with periodic sides: particles may be given anywhere, and stand in the box; so do particles of walls, wherever they
+    /// move.
+    ///
+    /// # Errors
+    /// As [`Fluid::new`]; [`FluidError::Period`] for periods that are shorter than the kernel is wide, and [`FluidError::NotPeriodic`] for
+    /// structures, the predictor and corrector, and walls with densities of their own.
+    pub fn repeated(parts: Parts, periods: Periods) -> Result<Self, FluidError> {
+        let refusals = [
+            (!parts.structures.is_empty(), "a structure in it"),
+            (parts.formulation.scheme == Scheme::PredictorCorrector, "a predictor and corrector"),
+            (parts.formulation.walls == WallRule::Dynamic, "walls of the published method"),
+        ];
+        match refusals.iter().find(|(refused, _)| *refused) {
+            Some((_, what)) => Err(FluidError::NotPeriodic(what)),
+            None => Self::built(parts, Some(periods)),
+        }
+    }
+
+    fn built(parts: Parts, periods: Option<Periods>) -> Result<Self, FluidError> {
         start::check(&parts)?;
         let Parts { dimensions, spacing, liquid, formulation, domain, threads, .. } = parts;
         let plane = |v: &Vec3| if dimensions == 2 { Vec3::new(v.x, v.y, 0.0) } else { *v };
         let gravity = plane(&parts.gravity);
         let mass = liquid.density * spacing.powi(dimensions as i32);
         let kernel = Wendland::new(dimensions, formulation.smoothing * spacing);
+        periods.map_or(Ok(()), |periods| periods.check(dimensions, CELL * kernel.reach()))?;
         let boundary = Boundary::new(&parts, 3.0 * kernel.h)?;
         let count = parts.positions.len();
         let positions: Vec<Vec3> = parts.positions.iter().map(plane).collect();
@@ -94,9 +123,13 @@ impl Fluid {
         } else {
             parts.velocities.iter().map(plane).collect()
         };
-        let densities = match parts.start {
-            Start::Hydrostatic => start::hydrostatic(dimensions, spacing, &positions, &gravity, &liquid),
-            Start::Uniform => vec![liquid.density; count],
+        let densities = match (parts.start, &periods) {
+            (Start::Uniform, _) => vec![liquid.density; count],
+            (_, None) => start::hydrostatic(dimensions, spacing, &positions, &gravity, &liquid, None),
+            (_, Some(periods)) => {
+                let across = periods.across(&gravity);
+                start::hydrostatic(dimensions, spacing, &positions, &across, &liquid, Some(periods))
+            }
         };
         let sound = liquid.sound_speed / (liquid.density * liquid.density * liquid.density);
         let viscosity = Viscosity::new(dimensions, &formulation, &liquid, &kernel);
@@ -110,6 +143,7 @@ impl Fluid {
             liquid,
             formulation,
             beach: None,
+            current: None,
             gravity,
             domain,
             threads: threads.max(1),
@@ -118,6 +152,8 @@ impl Fluid {
             rest: positions.clone(),
             present: State { positions, velocities, densities },
             share: Share::default(),
+            periodic: periods.map(|periods| Periodic { periods, gone: vec![[0.0; 3]; count] }),
+            copies: Copies::default(),
             boundary,
             grid: Grid::around(dimensions, std::iter::empty(), 1.0),
             sorted: Sorted::default(),
@@ -133,6 +169,7 @@ impl Fluid {
             bounds: StepBounds::default(),
             ledger: Ledger::default(),
         };
+        fluid.go_round();
         fluid.sort(0.0, 0.0);
         fluid.check_overlap()?;
         Ok(fluid)
@@ -291,95 +328,5 @@ impl BoundaryDriven for Fluid {
 
     fn greatest_displacement(&self) -> f64 {
         0.25 * self.momentum.kernel.h
-    }
-}
-
-fn flat(list: &[Vec3]) -> Cow<'static, [f64]> {
-    Cow::Owned(list.iter().flat_map(|v| [v.x, v.y, v.z]).collect())
-}
-
-fn put(list: &mut [Vec3], numbers: &[f64]) {
-    list.iter_mut().zip(numbers.chunks_exact(3)).for_each(|(v, n)| *v = Vec3::new(n[0], n[1], n[2]));
-}
-
-impl Fluid {
-    /// The arrays that change, by name.
-    pub fn state(&self) -> Vec<(&'static str, Cow<'_, [f64]>)> {
-        let (present, boundary, ledger) = (self.shown(), &self.boundary, &self.ledger);
-        let ledger = vec![
-            ledger.viscous,
-            ledger.diffusion,
-            ledger.external,
-            ledger.dissipated,
-            ledger.density_error,
-            self.fastest,
-            boundary.ledger.time,
-        ];
-        let forces = boundary.forces.as_flattened();
-        vec![
-            ("positions", flat(&present.positions)),
-            ("velocities", flat(&present.velocities)),
-            ("densities", Cow::Borrowed(&present.densities)),
-            ("boundary_positions", flat(&boundary.points)),
-            ("boundary_velocities", flat(&boundary.velocities)),
-            ("boundary_densities", Cow::Borrowed(&boundary.densities)),
-            ("boundary_forces", Cow::Borrowed(forces)),
-            ("boundary_owed", Cow::Borrowed(&boundary.ledger.owed)),
-            ("thin_boundaries", Cow::Owned(boundary.thin.iter().flat_map(|thin| thin.state()).collect())),
-            ("ledger", Cow::Owned(ledger)),
-        ]
-    }
-
-    /// Puts the arrays of [`Fluid::state`] back.
-    ///
-    /// # Errors
-    /// [`FluidError::State`] for an array that is missing or of another length; nothing is changed then.
-    pub fn set_state(&mut self, arrays: &[(&str, &[f64])]) -> Result<(), FluidError> {
-        let mut found: Vec<&[f64]> = Vec::new();
-        for (name, own) in self.state() {
-            let array = arrays.iter().find(|(given, numbers)| *given == name && numbers.len() == own.len());
-            found.push(array.ok_or(FluidError::State(name))?.1);
-        }
-        let [
-            positions,
-            velocities,
-            densities,
-            points,
-            point_velocities,
-            point_densities,
-            forces,
-            owed,
-            thin,
-            ledger,
-        ] = found[..]
-        else {
-            return Err(FluidError::State("ledger"));
-        };
-        let Self { present, boundary, ledger: own, share, .. } = self;
-        let present = share.shared_mut().map_or(present, |shared| &mut shared.whole);
-        put(&mut present.positions, positions);
-        put(&mut present.velocities, velocities);
-        present.densities.copy_from_slice(densities);
-        put(&mut boundary.points, points);
-        put(&mut boundary.velocities, point_velocities);
-        boundary.densities.copy_from_slice(point_densities);
-        boundary.forces.as_flattened_mut().copy_from_slice(forces);
-        boundary.ledger.owed.copy_from_slice(owed);
-        let mut rest = thin;
-        for part in &mut boundary.thin {
-            let (own, after) = rest.split_at(part.state_len());
-            part.set_state(own);
-            rest = after;
-        }
-        if let [viscous, diffusion, external, dissipated, density_error, fastest, time] = *ledger {
-            boundary.ledger.time = time;
-            (own.viscous, own.diffusion, own.external) = (viscous, diffusion, external);
-            (own.dissipated, own.density_error, self.fastest) = (dissipated, density_error, fastest);
-        }
-        boundary.advance = 0.0;
-        boundary.forget_put_off();
-        self.fresh = false;
-        self.deal_out(false);
-        Ok(())
     }
 }

@@ -14,6 +14,9 @@ use sph_core::Vec3;
 
 use crate::fluid::Fluid;
 
+/// Component of a normal along an axis above which it is that axis: rounding.
+const ALONG: f64 = 1.0 - 1e-12;
+
 /// A line in a plane, a face in space, through which a fluid flows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section {
@@ -29,9 +32,13 @@ pub struct Section {
 
 impl Section {
     /// Distance of a place along the normal \[L\]; none where its foot lies beside the section.
-    fn distance(&self, at: &Vec3, dimensions: usize) -> Option<f64> {
-        let distance = self.normal.dot(&(at - self.point));
-        let foot = at - self.normal * distance;
+    fn distance(&self, at: &Vec3, fluid: &Fluid) -> Option<f64> {
+        let (way, dimensions) = (at - self.point, fluid.dimensions);
+        // Across periodic sides that it lies along, a particle is as far as the nearer of its images.
+        let (normal, axis) = (self.normal, self.normal.iamax());
+        let round = if normal[axis].abs() > ALONG { fluid.shortest(way)[axis] - way[axis] } else { 0.0 };
+        let distance = normal.dot(&way) + normal[axis] * round;
+        let foot = at - normal * (distance - normal[axis] * round);
         let within = (0..dimensions).all(|i| self.min[i] <= foot[i] && foot[i] < self.max[i]);
         within.then_some(distance)
     }
@@ -44,7 +51,7 @@ impl Fluid {
         let volume = self.mass / self.liquid.density;
         let (positions, velocities) = (&self.shown().positions, &self.shown().velocities);
         let own = |a: usize| {
-            let Some(distance) = section.distance(&positions[a], self.dimensions) else { return 0.0 };
+            let Some(distance) = section.distance(&positions[a], self) else { return 0.0 };
             volume * velocities[a].dot(&section.normal) * spline(distance / self.spacing) / self.spacing
         };
         particles.map(own).sum()

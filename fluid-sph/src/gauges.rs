@@ -4,6 +4,7 @@ use sph_core::Vec3;
 
 use crate::cells::{Grid, NOWHERE};
 use crate::fluid::Fluid;
+use crate::periods::Copies;
 use crate::sorted::Sorted;
 
 /// Part of space that particles near a place must fill for it to be wet.
@@ -32,7 +33,7 @@ impl<'a> Column<'a> {
     fn new(fluid: &'a Fluid, point: Vec3) -> Self {
         let (point, up, h) = (fluid.plane(point), fluid.up(), fluid.momentum.kernel.h);
         let across = |at: &Vec3| {
-            let way = at - point;
+            let way = fluid.shortest(at - point);
             (way - up * up.dot(&way)).norm_squared()
         };
         let positions = &fluid.shown().positions;
@@ -128,11 +129,11 @@ impl Fluid {
             let at = positions[a];
             let mut divergence = 0.0;
             near.each(at, |b| {
-                let square = (at - positions[b]).norm_squared();
+                let square = self.shortest(at - positions[b]).norm_squared();
                 divergence -= volume(self.shown().densities[b]) * kernel.factor(square.sqrt()) * square;
             });
             near.each_boundary(at, |b| {
-                let square = (at - self.boundary.points[b]).norm_squared();
+                let square = self.shortest(at - self.boundary.points[b]).norm_squared();
                 divergence -= volume(self.liquid.density) * kernel.factor(square.sqrt()) * square;
             });
             divergence < OPEN[usize::from(self.dimensions == 3)]
@@ -159,7 +160,7 @@ impl Fluid {
         let kernel = self.momentum.kernel;
         let (mut filled, mut weight, mut pressure) = (0.0, 0.0, 0.0);
         for i in particles {
-            let way = at - self.shown().positions[i];
+            let way = self.shortest(at - self.shown().positions[i]);
             let square = way.norm_squared();
             if square < kernel.reach2 {
                 let density = self.shown().densities[i];
@@ -176,7 +177,7 @@ impl Fluid {
         let near = Nearby::new(self);
         let pressure = |point: &Vec3| {
             let mut particles = Vec::new();
-            near.each(*point, |i| particles.push(i));
+            near.each(self.within(*point), |i| particles.push(i));
             let (filled, weight, pressure) = self.mean(*point, particles.into_iter());
             if filled >= WET { pressure / weight } else { 0.0 }
         };
@@ -187,19 +188,33 @@ impl Fluid {
 /// The particles of a fluid by cells, found anew for whoever asks between two steps.
 struct Nearby {
     grid: Grid,
-    fluid: Sorted,
-    boundary: Sorted,
+    fluid: (Sorted, Copies),
+    boundary: (Sorted, Copies),
 }
 
 impl Nearby {
     /// Of the present places.
     fn new(fluid: &Fluid) -> Self {
         let (positions, points) = (&fluid.shown().positions, &fluid.boundary.points);
-        let grid = Grid::around(fluid.dimensions, positions.iter().copied(), 2.0 * fluid.momentum.kernel.h);
-        let (mut own, mut boundary) = (Sorted::default(), Sorted::default());
-        own.sort(1, &grid, positions.len(), |i, _| positions[i].into());
-        boundary.sort(1, &grid, points.len(), |i, _| points[i].into());
-        Self { grid, fluid: own, boundary }
+        let width = 2.0 * fluid.momentum.kernel.h;
+        let copied = |list: &[Vec3]| {
+            let mut copies = Copies::default();
+            if let Some(periods) = fluid.periods() {
+                copies.find(periods, list.len(), width, |i| list[i]);
+            }
+            copies
+        };
+        let (own, of_points) = (copied(positions), copied(points));
+        let place = |number: usize| own.place(number, |i| positions[i]);
+        let grid = Grid::around(fluid.dimensions, (0..own.all(positions.len())).map(place), width);
+        let sorted = |list: &[Vec3], copies: Copies| {
+            let mut sorted = Sorted::default();
+            let place = |number: usize, _: &[u32]| copies.place(number, |i| list[i]).into();
+            sorted.sort(1, &grid, copies.all(list.len()), place);
+            (sorted, copies)
+        };
+        let (fluid, boundary) = (sorted(positions, own.clone()), sorted(points, of_points));
+        Self { grid, fluid, boundary }
     }
 
     /// Calls for each particle of the fluid that may be within reach of a place.
@@ -212,13 +227,14 @@ impl Nearby {
         self.of(&self.boundary, at, call);
     }
 
-    fn of(&self, set: &Sorted, at: Vec3, mut call: impl FnMut(usize)) {
+    fn of(&self, (set, copies): &(Sorted, Copies), at: Vec3, mut call: impl FnMut(usize)) {
         let cell = self.grid.cell(&at.into());
         if cell == NOWHERE {
             return;
         }
         for &(from, to) in self.grid.beside(cell, &set.starts).filled() {
-            set.order[from as usize..to as usize].iter().for_each(|&i| call(i as usize));
+            let order = &set.order[from as usize..to as usize];
+            order.iter().for_each(|&number| call(copies.source(number as usize)));
         }
     }
 }

@@ -57,6 +57,12 @@
 //! within, and runs its pairs four at a time over the list. Chunks are of fixed size: the same bits for any number of
 //! threads, and with AVX2 or without.
 //!
+//! # Periodic sides and currents
+//!
+//! [`Fluid::repeated`] makes sides of a box one ([`Periods`]). Before each sort particles within the reach of the kernel from such a side are given copies
+//! beyond the opposite one, and so are points of walls: copies are among the neighbours, are not swept, and take velocities after a kick, pressures of
+//! walls and drags from whom they copy (src/periods.rs). [`Fluid::carry`] draws the water of a zone to a velocity ([`Current`]).
+//!
 //! # Marched by several
 //!
 //! [`Fluid::share`] makes one of several who have built the same fluid (crate `peers`). Cells are owned by those who march it, along a curve through
@@ -96,6 +102,8 @@
 //! | each face of a thin plate bears its own water; past its edge both sides meet | tests/thin.rs |
 //! | instruments read what is known; bad parts are refused; what leaves its bounds is named | tests/gauges.rs |
 //! | a flux sums up to what has passed; moments are those of the forces | tests/flux.rs |
+//! | through periodic sides momentum is kept, uniform states stay so, flows and waves are as their closed forms | tests/periodic.rs |
+//! | a zone keeps the water going, its work is counted | tests/current.rs |
 //! | the kernel is one in sum, its factor its slope; the state has its sound and energy | src/kernel.rs, src/liquid.rs |
 //! | sums by cells do not depend on who adds them | src/books.rs |
 //! | cells beside each other and single precision hold all neighbours; chunks are the same for any threads | src/cells.rs, crate `parallel` |
@@ -106,6 +114,8 @@ mod books;
 mod boundary;
 mod cells;
 mod continuity;
+mod current;
+mod driven;
 mod energies;
 mod error;
 mod fluid;
@@ -113,6 +123,7 @@ mod flux;
 mod formulation;
 mod gauges;
 mod impulses;
+mod kept;
 mod kernel;
 mod lattice;
 mod ledger;
@@ -122,6 +133,8 @@ mod neighbours;
 mod overlap;
 mod pair;
 mod parts;
+mod periods;
+mod round;
 mod share;
 mod sharing;
 mod sorted;
@@ -134,6 +147,7 @@ mod walls;
 mod waves;
 
 pub use beach::Beach;
+pub use current::Current;
 pub use energies::Energies;
 pub use error::FluidError;
 pub use fluid::Fluid;
@@ -142,4 +156,5 @@ pub use formulation::{Formulation, Scheme, WallRule};
 pub use lattice::lattice_moduli;
 pub use liquid::Liquid;
 pub use parts::{Motion, Parts, Rotation, Start, Structure, Wall};
+pub use periods::Periods;
 pub use waves::Waves;

@@ -15,6 +15,7 @@ impl Fluid {
         let bound = OVERLAP * self.spacing;
         let too_near = |a: &Vec3, b: &Vec3| (a - b).norm() < bound;
         let positions = &self.present.positions;
+        let standing = |number: usize| self.copies.place(number, |i| positions[i]);
         for (particle, at) in positions.iter().enumerate() {
             let cell = self.grid.cell(&(*at).into());
             let refuse = |other: String, place: &Vec3| {
@@ -23,9 +24,10 @@ impl Fluid {
             };
             for &(from, to) in self.grid.beside(cell, &self.sorted.starts).filled() {
                 let near =
-                    |&&other: &&u32| other as usize > particle && too_near(at, &positions[other as usize]);
+                    |&&other: &&u32| other as usize > particle && too_near(at, &standing(other as usize));
                 if let Some(&other) = self.sorted.order[from as usize..to as usize].iter().find(near) {
-                    return refuse(format!("particle {other} of the fluid"), &positions[other as usize]);
+                    let own = self.copies.source(other as usize);
+                    return refuse(format!("particle {own} of the fluid"), &standing(other as usize));
                 }
             }
             let (boundary, mut sees) = (&self.boundary, 0);
@@ -36,8 +38,9 @@ impl Fluid {
                     // Rows behind the other face of a thin structure may stand in the fluid of this one.
                     let hidden =
                         boundary.sorted.faces.get(slot).is_some_and(|&face| opposite(face) & sees != 0);
-                    if !hidden && too_near(at, &boundary.points[other]) {
-                        return refuse(boundary.name(other), &boundary.points[other]);
+                    let place = boundary.copies.place(other, |i| boundary.points[i]);
+                    if !hidden && too_near(at, &place) {
+                        return refuse(boundary.name(boundary.copies.source(other)), &place);
                     }
                 }
             }

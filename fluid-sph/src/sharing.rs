@@ -9,6 +9,7 @@ use crate::fluid::{CELL, Fluid};
 use crate::formulation::{Scheme, WallRule};
 use crate::share::Share;
 use crate::share::deal::{All, Deal, FARTHEST};
+use crate::sorted::Sorted;
 use crate::state::State;
 
 impl Fluid {
@@ -18,7 +19,7 @@ impl Fluid {
     /// states. Structures in it are whole with each of them, who all march them: forces on their points are right with everyone.
     ///
     /// # Errors
-    /// [`FluidError::NotShared`]: predictor and corrector, walls with a density of their own.
+    /// [`FluidError::NotShared`]: predictor and corrector, walls with a density of their own, periodic sides.
     pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), FluidError> {
         let refusals = [
             (
@@ -26,6 +27,7 @@ impl Fluid {
                 "a fluid marched by predictor and corrector",
             ),
             (self.formulation.walls == WallRule::Dynamic, "a fluid between walls of the published method"),
+            (self.periodic.is_some(), "a fluid with periodic sides"),
         ];
         if let Some((_, what)) = refusals.iter().find(|(refused, _)| *refused) {
             return Err(FluidError::NotShared(what));
@@ -66,12 +68,17 @@ impl Fluid {
         shared.whole = whole;
     }
 
-    /// Brings velocities of particles that others move, to their rows too.
+    /// Brings velocities of particles that others move, to their rows too, and those of copies.
     pub(crate) fn bring_velocities(&mut self) {
-        let Self { present, sorted, share, .. } = self;
+        let Self { present, sorted, share, copies, .. } = self;
+        let Sorted { slots, rows, .. } = sorted;
+        copies.each(present.velocities.len(), slots, |copy, own| {
+            let velocity = rows[own].velocity();
+            rows[copy].set_velocity(velocity);
+        });
         share.bring_vectors(&mut present.velocities, |known| known);
         for (known, _) in share.moves().iter().enumerate().filter(|(_, moves)| !**moves) {
-            sorted.rows[sorted.slots[known] as usize].set_velocity(present.velocities[known].into());
+            rows[slots[known] as usize].set_velocity(present.velocities[known].into());
         }
     }
 

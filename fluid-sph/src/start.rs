@@ -6,6 +6,7 @@ use crate::cells::Grid;
 use crate::error::FluidError;
 use crate::liquid::Liquid;
 use crate::parts::Parts;
+use crate::periods::{Copies, Periods};
 use crate::sorted::Sorted;
 
 /// Distance up to which particles are of one body of water, in spacings.
@@ -63,20 +64,22 @@ pub(crate) fn outside(dimensions: usize, [low, high]: &[Vec3; 2], at: &Vec3) -> 
     !(0..dimensions).all(|k| at[k] >= low[k] && at[k] <= high[k])
 }
 
-/// Densities under the weight of the water above: below the highest particle of each connected body and half a spacing.
+/// Densities under the weight of the water above: below the highest particle of each connected body and half a spacing. Bodies may be
+/// connected across periodic sides.
 pub(crate) fn hydrostatic(
     dimensions: usize,
     spacing: f64,
     positions: &[Vec3],
     gravity: &Vec3,
     liquid: &Liquid,
+    periods: Option<&Periods>,
 ) -> Vec<f64> {
     let strength = gravity.norm();
     if strength == 0.0 {
         return vec![liquid.density; positions.len()];
     }
     let height = |position: &Vec3| -gravity.dot(position) / strength;
-    let bodies = bodies(dimensions, CONNECTED * spacing, positions);
+    let bodies = bodies(dimensions, CONNECTED * spacing, positions, periods);
     let mut tops = vec![f64::NEG_INFINITY; positions.len()];
     for (position, &body) in positions.iter().zip(&bodies) {
         tops[body] = tops[body].max(height(position) + 0.5 * spacing);
@@ -88,10 +91,15 @@ pub(crate) fn hydrostatic(
 }
 
 /// By particle: the first of all that are connected to it by particles so far apart at most.
-fn bodies(dimensions: usize, distance: f64, positions: &[Vec3]) -> Vec<usize> {
-    let grid = Grid::around(dimensions, positions.iter().copied(), distance);
+fn bodies(dimensions: usize, distance: f64, positions: &[Vec3], periods: Option<&Periods>) -> Vec<usize> {
+    let mut copies = Copies::default();
+    if let Some(periods) = periods {
+        copies.find(periods, positions.len(), distance, |i| positions[i]);
+    }
+    let (all, place) = (copies.all(positions.len()), |number: usize| copies.place(number, |i| positions[i]));
+    let grid = Grid::around(dimensions, (0..all).map(place), distance);
     let mut sorted = Sorted::default();
-    sorted.sort(1, &grid, positions.len(), |i, _| positions[i].into());
+    sorted.sort(1, &grid, all, |number, _| place(number).into());
     let mut body = vec![usize::MAX; positions.len()];
     let mut front = Vec::new();
     for first in 0..positions.len() {
@@ -101,11 +109,11 @@ fn bodies(dimensions: usize, distance: f64, positions: &[Vec3]) -> Vec<usize> {
         body[first] = first;
         front.push(first);
         while let Some(a) = front.pop() {
-            let cell = grid.cell(&positions[a].into());
+            let cell = grid.cell(&place(a).into());
             for &(from, to) in grid.beside(cell, &sorted.starts).filled() {
-                for &b in &sorted.order[from as usize..to as usize] {
-                    let b = b as usize;
-                    if body[b] == usize::MAX && (positions[a] - positions[b]).norm() < distance {
+                for &number in &sorted.order[from as usize..to as usize] {
+                    let b = copies.source(number as usize);
+                    if body[b] == usize::MAX && (place(a) - place(number as usize)).norm() < distance {
                         body[b] = first;
                         front.push(b);
                     }
@@ -126,7 +134,7 @@ mod tests {
         let liquid = Liquid { density: 1000.0, sound_speed: 50.0 };
         let column = |x: f64, rows: usize| (0..rows).map(move |j| Vec3::new(x, 0.1 * j as f64 + 0.05, 0.0));
         let positions: Vec<Vec3> = column(0.0, 10).chain(column(1.0, 4)).collect();
-        let densities = hydrostatic(2, 0.1, &positions, &Vec3::new(0.0, -10.0, 0.0), &liquid);
+        let densities = hydrostatic(2, 0.1, &positions, &Vec3::new(0.0, -10.0, 0.0), &liquid, None);
         for (position, density) in positions.iter().zip(densities) {
             let top = if position.x < 0.5 { 1.0 } else { 0.4 };
             let exact = 1e4 * (top - position.y);

@@ -18,16 +18,39 @@ impl Fluid {
     /// Sorts the particles, moved on by a time, and the boundaries, so long before the end of the step \[T\].
     pub(crate) fn sort(&mut self, ahead: f64, before: f64) {
         let width = CELL * 2.0 * self.momentum.kernel.h;
-        let Self { threads, dimensions, present, drags, grid, sorted, boundary, share, .. } = self;
+        let Self {
+            threads, dimensions, present, drags, grid, sorted, boundary, share, periodic, copies, ..
+        } = self;
         let count = present.positions.len();
         let place = |i: usize, slots: &[u32]| {
             present.place(i, drags, slots.get(i).map_or(0, |slot| *slot as usize), ahead)
         };
-        let extent = Extent::of(*dimensions, (0..count).map(|i| place(i, &sorted.slots)));
-        *grid = Grid::over(*dimensions, share.all(count), share.widened(extent), width);
-        sorted.sort(*threads, grid, count, |i, before| place(i, before).into());
-        boundary.sort(grid, before, share.near());
+        let periods = periodic.as_ref().map(|periodic| &periodic.periods);
+        if let Some(periods) = periods {
+            copies.find(periods, count, width, |i| place(i, &sorted.slots));
+        }
+        let (copies, all) = (&*copies, copies.all(count));
+        let standing = |number: usize, slots: &[u32]| copies.place(number, |i| place(i, slots));
+        let extent = Extent::of(*dimensions, (0..all).map(|number| standing(number, &sorted.slots)));
+        *grid = Grid::over(*dimensions, share.all(all), share.widened(extent), width);
+        sorted.sort(*threads, grid, all, |number, before| standing(number, before).into());
+        boundary.sort(grid, before, share.near(), periods.map(|periods| (periods, width)));
+        self.leave_copies(count);
         self.leave_to_others();
+    }
+
+    /// Leaves copies out of the sweeps, and makes room for what these find of all that stand in cells.
+    fn leave_copies(&mut self, count: usize) {
+        if self.copies.is_empty() {
+            return;
+        }
+        let Sorted { order, left, .. } = &mut self.sorted;
+        left.clear();
+        left.extend(order.iter().map(|&number| number as usize >= count));
+        let all = order.len();
+        self.accelerations.resize(all, [0.0; 3]);
+        self.powers.resize(all, 0.0);
+        self.rates.resize(all, [0.0; 2]);
     }
 
     /// Finds which slots others sweep who march the fluid too.
@@ -52,11 +75,13 @@ impl Fluid {
     /// `sorted_anew` since drags were found.
     pub(crate) fn fill(&mut self, ahead: f64, before_end: f64, sorted_anew: bool) {
         let far = self.far();
-        let Self { threads, dimensions, liquid, present, drags, grid, sorted, boundary, .. } = self;
-        sorted.fill(*threads, *dimensions, grid, far, |i, slot, before, _| {
+        let Self { threads, dimensions, liquid, present, drags, grid, sorted, boundary, copies, .. } = self;
+        sorted.fill(*threads, *dimensions, grid, far, |number, slot, before, _| {
+            let i = copies.source(number);
             let slot = if sorted_anew { before[i] as usize } else { slot };
             let (v, density) = (present.velocities[i], present.densities[i]);
-            Row::new(present.place(i, drags, slot, ahead), density, v, liquid.p_over_rho2(density))
+            let place = copies.place(number, |i| present.place(i, drags, slot, ahead));
+            Row::new(place, density, v, liquid.p_over_rho2(density))
         });
         boundary.fill(*dimensions, grid, far, before_end);
     }
@@ -140,6 +165,7 @@ impl Fluid {
                 }
             }
         });
+        boundary.press_copies();
     }
 
     /// Accelerations of the fluid and forces on the boundaries, from the rows as they are.
@@ -219,6 +245,8 @@ impl Fluid {
                 widest(Transport::<3> { kernel, share, grid, fluid, first, out });
             }
         });
-        self.share.bring_vectors(&mut self.drags, |known| self.sorted.slots[known] as usize);
+        let (drags, slots) = (&mut self.drags, &self.sorted.slots);
+        self.copies.each(self.present.velocities.len(), slots, |copy, own| drags[copy] = drags[own]);
+        self.share.bring_vectors(drags, |known| slots[known] as usize);
     }
 }

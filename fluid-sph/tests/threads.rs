@@ -9,8 +9,9 @@ use std::sync::Mutex;
 
 use common::{disorder, pool};
 use explicit_dynamics::{BoundaryDriven, BoundaryLayout, BoundaryState, Clock, Face, ThinLayout};
-use fluid_sph::{Fluid, Formulation, Scheme, Structure, WallRule};
+use fluid_sph::{Fluid, Formulation, Periods, Scheme, Structure, WallRule};
 use peers::together;
+use sph_core::Vec3;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
 #[global_allocator]
@@ -36,6 +37,16 @@ fn water(dimensions: usize, formulation: Formulation, threads: usize) -> Fluid {
     let mut parts = pool(dimensions, size, box_size, 0.05);
     disorder(&mut parts, 0.2, 1.0);
     Fluid::new(fluid_sph::Parts { formulation, threads, ..parts }).unwrap()
+}
+
+/// Disordered water in a periodic box over a floor.
+fn repeated(threads: usize) -> Fluid {
+    let mut parts = pool(2, [1.0, 0.6, 0.0], [1.0, 0.8, 0.0], 0.02);
+    parts.walls[0].points.retain(|at| (0.0..1.0).contains(&at.x));
+    disorder(&mut parts, 0.2, 1.0);
+    let formulation = Formulation { kinematic_viscosity: 1e-3, xsph: 0.3, ..Formulation::default() };
+    let periods = Periods { low: Vec3::zeros(), lengths: Vec3::x() };
+    Fluid::repeated(fluid_sph::Parts { formulation, threads, ..parts }, periods).unwrap()
 }
 
 fn steps(fluid: &mut Fluid, clock: &mut Clock, count: usize) {
@@ -116,6 +127,26 @@ fn a_step_allocates_nothing() {
             assert_eq!(found, 0, "{dimensions} {formulation:?}");
         }
     }
+}
+
+#[test]
+fn periodic_sides_neither_allocate_nor_see_threads() {
+    let _alone = ALONE.lock().unwrap();
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let mut fluid = repeated(threads);
+            let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
+            steps(&mut fluid, &mut clock, 20);
+            bits(&fluid)
+        })
+    };
+    let one = run(1);
+    assert!(one == run(2) && one == run(4));
+    let mut fluid = repeated(1);
+    let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
+    steps(&mut fluid, &mut clock, 3);
+    assert_eq!(allocations(|| steps(&mut fluid, &mut clock, 10)), 0);
 }
 
 /// Between two deals, which still water needs once in thousands of steps.

@@ -18,14 +18,16 @@ pub struct Options {
 }
 
 /// Scenes in the plane, seen straight.
-const PLANE: [&str; 9] = [
+const PLANE: [&str; 11] = [
     "baffle",
     "crack-branching",
     "dam-break",
     "floating-box",
+    "flow-between-plates",
     "gate",
     "gate-bonds",
     "kalthoff",
+    "open-channel",
     "shell-in-water",
     "wave-flume",
 ];

@@ -64,6 +64,7 @@ if TYPE_CHECKING:
     Crack = TypedDict("Crack", {"corners": NotRequired[Sequence[Sequence[Union[float, str]]]], "from": NotRequired[Sequence[Union[float, str]]], "to": NotRequired[Sequence[Union[float, str]]]})
     Criterion: TypeAlias = Union[Literal['tsai-wu'], Literal['hashin'], Literal['von-mises']]
     Cuboid = TypedDict("Cuboid", {"max": Sequence[Union[float, str]], "min": Sequence[Union[float, str]]})
+    Current = TypedDict("Current", {"along": NotRequired[Sequence[Union[float, str]]], "from": Sequence[Union[float, str]], "length": Union[float, str], "velocity": Union[float, str]})
     CutOut_1 = TypedDict("CutOut_1", {"ball": "Ball"})
     CutOut_2 = TypedDict("CutOut_2", {"cylinder": "RoundHole"})
     CutOut_3 = TypedDict("CutOut_3", {"box": "Cuboid"})
@@ -100,7 +101,7 @@ if TYPE_CHECKING:
     FluidMaterial_1 = TypedDict("FluidMaterial_1", {"liquid": "Liquid"})
     FluidMaterial: TypeAlias = "FluidMaterial_1"
     FluidMethod: TypeAlias = Union[Literal['kick-drift-kick'], Literal['source']]
-    FluidScene = TypedDict("FluidScene", {"beach": NotRequired["Beach"], "formulation": NotRequired["FluidFormulation"], "geometry": "FluidGeometry", "material": "FluidMaterial", "velocity": NotRequired["Velocity"]})
+    FluidScene = TypedDict("FluidScene", {"beach": NotRequired["Beach"], "current": NotRequired["Current"], "formulation": NotRequired["FluidFormulation"], "geometry": "FluidGeometry", "material": "FluidMaterial", "periodic": NotRequired["PeriodicSides"], "velocity": NotRequired["Velocity"]})
     FluidStart: TypeAlias = Union[Literal['hydrostatic'], Literal['uniform']]
     Force: TypeAlias = Union[Literal['N'], Literal['kN'], Literal['MN'], Literal['lbf'], Literal['-']]
     Force2 = TypedDict("Force2", {"by_area": NotRequired[bool], "total": Sequence[Union[float, str]]})
@@ -188,6 +189,7 @@ if TYPE_CHECKING:
     PartFormulation = TypedDict("PartFormulation", {"stress-point": NotRequired["PartStressPoint"]})
     PartStressPoint = TypedDict("PartStressPoint", {"curvature": NotRequired[str]})
     PerAxis: TypeAlias = Union[Union[float, str], Sequence[Union[float, str]]]
+    PeriodicSides = TypedDict("PeriodicSides", {"x": NotRequired[Sequence[Union[float, str]]], "y": NotRequired[Sequence[Union[float, str]]], "z": NotRequired[Sequence[Union[float, str]]]})
     Placed = TypedDict("Placed", {"origin": NotRequired[Sequence[Union[float, str]]], "u": Sequence[Union[float, str]], "v": Sequence[Union[float, str]]})
     Plane: TypeAlias = Union[Literal['stress'], Literal['strain']]
     Plastic = TypedDict("Plastic", {"anisotropy": NotRequired["Anisotropy"], "back-stresses": NotRequired[Sequence["BackStress"]], "density": Union[float, str], "hardening": "Hardening", "kinematic": NotRequired[Union[float, str]], "poisson": Union[float, str], "rate": NotRequired["Rate"], "young": Union[float, str]})

@@ -12,13 +12,14 @@ pub enum NotShared {
 }
 
 /// Parts in the words of their models, and the keys of scenes that ask for them.
-const KEYS: [(&str, &str); 6] = [
+const KEYS: [(&str, &str); 7] = [
     ("a shell whose strains are not sampled in cells", "formulation"),
     ("a plate of two sheets", "formulation.two-sheets"),
     ("a solid on which a function exerts forces", "Model::push"),
     ("a shell on which a function exerts forces", "Model::push"),
     ("a fluid marched by predictor and corrector", "formulation.weakly-compressible.method"),
     ("a fluid between walls of the published method", "formulation.weakly-compressible.walls"),
+    ("a fluid with periodic sides", "periodic"),
 ];
 
 /// The keys that ask for a part, in brackets.

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 107] = [
+const EXAMPLES: [Example; 109] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -64,6 +64,8 @@ const EXAMPLES: [Example; 107] = [
     Example::new("drum-on-block", 4.0, include_str!("../../../scenes/drum-on-block.toml")),
     Example::new("drum-on-bonds", 2.0, include_str!("../../../scenes/drum-on-bonds.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
+    Example::new("flow-between-plates", 0.3, include_str!("../../../scenes/flow-between-plates.toml")),
+    Example::new("open-channel", 25.0, include_str!("../../../scenes/open-channel.toml")),
     Example::new("floating-box", 2.0, include_str!("../../../scenes/floating-box.toml")),
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),

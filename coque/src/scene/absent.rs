@@ -153,11 +153,11 @@ const ROWS: &[Row] = &[
         },
     ),
     (
-        &["inflow", "inlet", "outflow", "outlet", "periodic"],
+        &["inflow", "inlet", "outflow", "outlet"],
         &[],
         NotYet {
-            feature: "inflow, outflow and periodic boundaries of fluids",
-            nearest: "a basin that empties through an opening (coque new gate)",
+            feature: "inflow and outflow of fluids",
+            nearest: "a flow that goes round through `periodic` sides and a `current` (coque examples open-channel)",
         },
     ),
     (

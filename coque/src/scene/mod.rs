@@ -79,8 +79,10 @@ pub use coupling::{Coupling, CouplingOrder};
 pub use criterion::{Criterion, PlyComponent, ShellFace};
 pub use curve::{Measured, Probe, Take};
 pub use explicit_dynamics::Amplitude;
+pub use fluid::current::Current;
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
 pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};
+pub use fluid::periodic::PeriodicSides;
 pub use fluid::{FluidMaterial, FluidScene, Liquid};
 pub use glue::GlueScene;
 pub use harmonic::{

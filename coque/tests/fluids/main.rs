@@ -12,5 +12,6 @@ mod floating_shapes;
 mod fluid;
 mod fluid_scenes;
 mod moored;
+mod periodic;
 mod unseen_contact;
 mod waves;

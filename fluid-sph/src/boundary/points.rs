@@ -28,6 +28,7 @@ use crate::cells::{Grid, NOWHERE};
 use crate::error::FluidError;
 use crate::pair::Row;
 use crate::parts::{Motion, Parts, Structure, Wall};
+use crate::periods::{Copies, Periods};
 use crate::sorted::Sorted;
 use crate::walls::extrapolated::WallMean;
 use crate::walls::motion::Pose;
@@ -66,6 +67,8 @@ pub(crate) struct Boundary {
     /// By slot: power that friction takes a unit of mass \[L²/T³\].
     pub powers: Vec<f64>,
     pub rates: Vec<[f64; 2]>,
+    /// Where points stand, and their copies across periodic sides.
+    pub copies: Copies,
     /// Structures with two sides.
     pub thin: Vec<Thin>,
     /// Greatest way of a point over the last step \[L\].
@@ -231,14 +234,25 @@ impl Boundary {
     }
 
     /// Sorts those that are near, all if nothing is said, into the cells of the fluid, where they were so long a time before the end of the
-    /// step \[T\].
-    pub fn sort(&mut self, grid: &Grid, before: f64, near: &[bool]) {
-        let (points, velocities) = (&self.points, &self.velocities);
-        let at = |i: usize| (points[i] - velocities[i] * before).into();
+    /// step \[T\]; with copies in a width of periodic sides \[L\].
+    pub fn sort(&mut self, grid: &Grid, before: f64, near: &[bool], periods: Option<(&Periods, f64)>) {
+        let Self { points, velocities, copies, .. } = self;
+        let at = |i: usize| points[i] - velocities[i] * before;
+        if let Some((periods, width)) = periods {
+            copies.find(periods, points.len(), width, at);
+        }
         // Beyond all cells; where they are cut off and have no end, all are near.
         let beyond = [f64::INFINITY; 3];
-        self.sorted.sort(1, grid, points.len(), |i, _| if is_one(near, i) { at(i) } else { beyond });
-        let Sorted { order, faces, .. } = &mut self.sorted;
+        let place = |number: usize, _: &[u32]| match is_one(near, number) {
+            true => copies.place(number, at).into(),
+            false => beyond,
+        };
+        self.sorted.sort(1, grid, copies.all(points.len()), place);
+        let Sorted { order, faces, left, .. } = &mut self.sorted;
+        if !copies.is_empty() {
+            left.clear();
+            left.extend(order.iter().map(|&number| number as usize >= points.len()));
+        }
         faces.clear();
         if !self.faces.is_empty() {
             faces.extend(order.iter().map(|&i| self.faces[i as usize]));
@@ -252,9 +266,20 @@ impl Boundary {
 
     /// Fills what the sweeps read of them, where they were so long a time before the end of the step \[T\].
     pub fn fill(&mut self, dimensions: usize, grid: &Grid, far: Row, before: f64) {
-        let (points, velocities) = (&self.points, &self.velocities);
-        self.sorted.fill(1, dimensions, grid, far, |i, _, _, _| {
-            Row::new(points[i] - velocities[i] * before, 0.0, velocities[i], 0.0)
+        let (points, velocities, copies) = (&self.points, &self.velocities, &self.copies);
+        self.sorted.fill(1, dimensions, grid, far, |number, _, _, _| {
+            let place = copies.place(number, |i| points[i] - velocities[i] * before);
+            Row::new(place, 0.0, velocities[copies.source(number)], 0.0)
+        });
+    }
+
+    /// Gives copies the pressures of their points, and the velocities that these hold the fluid with.
+    pub fn press_copies(&mut self) {
+        let Sorted { slots, rows, .. } = &mut self.sorted;
+        self.copies.each(self.points.len(), slots, |copy, own| {
+            let row = rows[own];
+            rows[copy].press(row.density(), row.p_over_rho2());
+            rows[copy].set_velocity(row.velocity());
         });
     }
 
@@ -308,7 +333,9 @@ impl Boundary {
     pub fn work_before(&mut self, dt: f64, owns: &[bool]) -> [Exact; 2] {
         let Self { sorted, rates, ledger: Ledger { shares, owed, time }, .. } = self;
         let mut pressing = Exact::new();
-        for (point, &slot) in sorted.slots.iter().enumerate().filter(|(point, _)| is_one(owns, *point)) {
+        for (point, &slot) in
+            sorted.slots[..owed.len()].iter().enumerate().filter(|(point, _)| is_one(owns, *point))
+        {
             let rate = if slot == NOWHERE { 0.0 } else { rates[slot as usize][0] };
             owed[point] = 0.5 * dt * rate;
             put(&mut pressing, -shares[point] * owed[point]);
@@ -321,7 +348,9 @@ impl Boundary {
     pub fn work_after(&mut self, owns: &[bool]) -> ([Exact; 2], f64) {
         let Self { sorted, ledger: Ledger { shares, owed, time }, .. } = self;
         let mut pressing = Exact::new();
-        for (point, &slot) in sorted.slots.iter().enumerate().filter(|(point, _)| is_one(owns, *point)) {
+        for (point, &slot) in
+            sorted.slots[..owed.len()].iter().enumerate().filter(|(point, _)| is_one(owns, *point))
+        {
             let share = if slot == NOWHERE { 0.0 } else { sorted.rows[slot as usize].p_over_rho2() };
             shares[point] = share;
             put(&mut pressing, -share * std::mem::take(&mut owed[point]));

@@ -24,9 +24,9 @@ impl Dynamics for Fluid {
         self.refresh();
         let Self { threads, mass, liquid, grid, sorted, share, .. } = self;
         let adds = |cell: usize| share.adds(grid, cell);
-        let Sorted { starts, rows, order, .. } = sorted;
+        let Sorted { starts, rows, order, left, .. } = sorted;
         let energy = |_, row: &mut Row| [liquid.compression(row.density())];
-        let [sum] = share.add(by_cells(*threads, starts, &mut rows[..order.len()], &adds, &energy));
+        let [sum] = share.add(by_cells(*threads, starts, left, &mut rows[..order.len()], &adds, &energy));
         *mass * sum
     }
 
@@ -75,7 +75,7 @@ impl Dynamics for Fluid {
 struct Kicked {
     /// Of squares of the means of old and new velocities.
     square: f64,
-    /// Of their products with gravity.
+    /// Of their products with gravity, and of the power that a current gives.
     weight: f64,
     /// Of what friction takes of a unit of mass in a unit of time.
     friction: f64,
@@ -112,6 +112,7 @@ impl Fluid {
             return;
         }
         self.settle();
+        self.go_round();
         self.sort(0.0, 0.0);
         self.fill(0.0, 0.0, true);
         self.find_sides();
@@ -138,7 +139,7 @@ impl Fluid {
             [old, new].map(Vec3::from)
         };
         let Self { threads, accelerations, powers, grid, sorted, boundary, gravity, share, .. } = self;
-        let Sorted { starts, rows, .. } = sorted;
+        let Sorted { starts, rows, left, .. } = sorted;
         let rows = &mut rows[..accelerations.len()];
         let adds = |cell: usize| share.adds(grid, cell);
         let mut rubbed = Exact::new();
@@ -159,27 +160,27 @@ impl Fluid {
                 [square, weight, power, change.norm_squared(), resisted]
             };
             let [square, weight, mut friction, change, resisted] =
-                by_cells(*threads, starts, rows, &adds, &numbers);
+                by_cells(*threads, starts, left, rows, &adds, &numbers);
             friction.merge(&rubbed);
             let [square, weight, friction, change, resisted] =
                 share.add([square, weight, friction, change, resisted]);
             Kicked { square, weight, friction, change, resisted }
         } else {
-            let [square, weight, mut friction] = by_cells(*threads, starts, rows, &adds, &plain);
+            let [square, weight, mut friction] = by_cells(*threads, starts, left, rows, &adds, &plain);
             friction.merge(&rubbed);
             let [square, weight, friction] = share.add([square, weight, friction]);
             Kicked { square, weight, friction, ..Kicked::default() }
         };
-        let calmed = self.calm(kick);
+        let (calmed, driven) = (self.calm(kick), self.drive(kick));
         self.keep_velocities(step.kick > 0.0);
-        Kicked { friction: work.friction + calmed, ..work }
+        Kicked { friction: work.friction + calmed, weight: work.weight + driven, ..work }
     }
 
     /// Takes motion out of waves in a damping zone, `v ← v (1 − ½βκ)/(1 + ½βκ)`; the power that this takes a unit of mass, of all \[L²/T³\].
     fn calm(&mut self, kick: f64) -> f64 {
         let Some(beach) = self.beach else { return 0.0 };
         let Self { threads, accelerations, grid, sorted, share, .. } = self;
-        let Sorted { starts, rows, .. } = sorted;
+        let Sorted { starts, rows, left, .. } = sorted;
         let adds = |cell: usize| share.adds(grid, cell);
         let numbers = |_: usize, row: &mut Row| {
             let rate = beach.rate(row.at());
@@ -188,7 +189,8 @@ impl Fluid {
             let mean = Vec3::from(old) * (0.5 * (1.0 + left));
             [rate * mean.norm_squared()]
         };
-        let [sum] = share.add(by_cells(*threads, starts, &mut rows[..accelerations.len()], &adds, &numbers));
+        let [sum] =
+            share.add(by_cells(*threads, starts, left, &mut rows[..accelerations.len()], &adds, &numbers));
         sum
     }
 
@@ -218,7 +220,7 @@ impl Fluid {
     pub(super) fn friction(&mut self) -> f64 {
         let Self { threads, powers, grid, sorted, boundary, share, .. } = self;
         let adds = |cell: usize| share.adds(grid, cell);
-        let mut sums = by_cells(*threads, &sorted.starts, powers, &adds, &|_, power| [*power]);
+        let mut sums = by_cells(*threads, &sorted.starts, &sorted.left, powers, &adds, &|_, power| [*power]);
         boundary.rub(&mut sums[0]);
         let [sum] = share.add(sums);
         sum
@@ -259,7 +261,8 @@ impl Fluid {
                 let shares = row.p_over_rho2() + liquid.p_over_rho2(row.density() + dt * (rate + exchange));
                 [-0.5 * dt * exchange * shares]
             };
-            [sums[0]] = by_cells(*threads, &sorted.starts, rates, &|cell| share.adds(grid, cell), &numbers);
+            let Sorted { starts, left, .. } = &*sorted;
+            [sums[0]] = by_cells(*threads, starts, left, rates, &|cell| share.adds(grid, cell), &numbers);
         }
         [sums[1], sums[2]] = boundary.work_before(dt, share.owns());
         let [loss, pressing, moving] = share.add(sums);

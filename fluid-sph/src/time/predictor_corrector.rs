@@ -78,7 +78,7 @@ impl Fluid {
             let density = middle.density(i, slot);
             Row::new(middle.place(i, slot), density, middle.velocity(i, slot), liquid.p_over_rho2(density))
         });
-        boundary.sort(grid, half, &[]);
+        boundary.sort(grid, half, &[], None);
         boundary.fill(*dimensions, grid, far, half);
     }
 

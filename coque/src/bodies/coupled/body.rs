@@ -81,7 +81,7 @@ impl Body for Coupled {
             present.extend(structure.configuration().present);
         }
         for piece in 0..self.layout.pieces.len() {
-            present.extend_from_slice(fluid.wall_positions(piece));
+            present.extend(fluid.wall_positions(piece).iter().map(|x| fluid.within(*x)));
         }
         Configuration { rest: &self.rest, present, cells: &self.cells }
     }
@@ -100,7 +100,7 @@ impl Body for Coupled {
         match self.layout.place(number) {
             Place::Fluid(a) => match of {
                 Measured::Position => fluid.positions()[a].dot(along),
-                Measured::Displacement => (fluid.positions()[a] - self.rest[number]).dot(along),
+                Measured::Displacement => fluid.displacement(a).dot(along),
                 Measured::Velocity => fluid.velocities()[a].dot(along),
                 Measured::Pressure => fluid.liquid().pressure(fluid.densities()[a]),
                 Measured::Density => fluid.densities()[a],

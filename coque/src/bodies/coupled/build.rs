@@ -156,7 +156,10 @@ fn coupled_walls<'a>(
     let mut all = Vec::new();
     for view in bodies {
         let BodyScene::Walls(scene) = view.body else { continue };
-        let rows = rows(view, scene, fluid.geometry.spacing(), deep)?;
+        let mut rows = rows(view, scene, fluid.geometry.spacing(), deep)?;
+        if let Some(periodic) = &fluid.periodic {
+            rows.cut(periodic, fluid.geometry.spacing());
+        }
         all.push(BuiltWalls { view, scene, rows });
     }
     Ok(all)
@@ -199,9 +202,16 @@ fn coupled_fluid(
         domain: None,
         threads: threads.max(1),
     };
-    let mut fluid = Fluid::new(all).map_err(|error| fluid_refusal(scene, wanted, &error))?;
+    let built = match &wanted.periodic {
+        Some(periodic) => Fluid::repeated(all, periodic.periods()),
+        None => Fluid::new(all),
+    };
+    let mut fluid = built.map_err(|error| fluid_refusal(scene, wanted, &error))?;
     if let Some(beach) = &wanted.beach {
         fluid.absorb(parts::beach(beach, &gravity));
+    }
+    if let Some(current) = &wanted.current {
+        fluid.carry(parts::current(current));
     }
     Ok(fluid)
 }

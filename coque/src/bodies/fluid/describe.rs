@@ -44,6 +44,15 @@ pub(in crate::bodies) fn of_fluid(
     if wanted.velocity.is_some() {
         modelled.push("velocity at the start".into());
     }
+    if let Some(current) = &wanted.current {
+        modelled.push(format!("a zone that carries the water along with {}", current.velocity));
+    }
+    if let Some(periodic) = &wanted.periodic {
+        let sides = ["x", "y", "z"].into_iter().zip(periodic.sides());
+        let sides =
+            sides.filter_map(|(axis, sides)| sides.map(|[low, high]| format!("{axis} = {low} and {high}")));
+        modelled.push(format!("periodic sides, {}", Vec::from_iter(sides).join(", ")));
+    }
     modelled.push(match wanted.formulation.options().start {
         FluidStart::Hydrostatic => "hydrostatic pressure at the start".into(),
         FluidStart::Uniform => "no pressure at the start".into(),

@@ -33,8 +33,8 @@ pub(in crate::bodies) fn of_walls<'a>(
 fn write_fluid(fluid: &Fluid, units: &Units, to: &mut dyn FieldWriter) -> io::Result<()> {
     let positions = fluid.positions();
     particles(positions, to)?;
-    let (rest, velocities) = (fluid.rest(), fluid.velocities());
-    let displacement = rows(positions.len(), |a| <[f64; 3]>::from(positions[a] - rest[a]));
+    let velocities = fluid.velocities();
+    let displacement = rows(positions.len(), |a| <[f64; 3]>::from(fluid.displacement(a)));
     to.numbers(
         At::Points,
         "displacement",
@@ -63,7 +63,7 @@ fn write_walls(
 ) -> io::Result<()> {
     let (mut positions, mut pressures) = (Vec::new(), Vec::new());
     for wall in walls {
-        positions.extend_from_slice(fluid.wall_positions(wall));
+        positions.extend(fluid.wall_positions(wall).iter().map(|x| fluid.within(*x)));
         pressures.extend_from_slice(&fluid.wall_pressures(wall));
     }
     particles(&positions, to)?;

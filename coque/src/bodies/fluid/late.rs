@@ -9,7 +9,7 @@ const LATE: f64 = 0.03;
 
 /// Depth of a fluid at rest along gravity \[L\]; zero without gravity.
 fn depth(fluid: &Fluid) -> f64 {
-    let Some(up) = fluid.gravity().try_normalize(0.0) else { return 0.0 };
+    let Some(up) = fluid.gravity_across().try_normalize(0.0) else { return 0.0 };
     let heights = fluid.rest().iter().map(|place| place.dot(&up));
     let (low, high) =
         heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)));
@@ -18,7 +18,7 @@ fn depth(fluid: &Fluid) -> f64 {
 
 /// Speed of a long wave on a fluid at rest, √(gH) \[L/T\]; infinite without gravity, where nothing falls.
 pub(super) fn wave(fluid: &Fluid) -> f64 {
-    let square = fluid.gravity().norm() * depth(fluid);
+    let square = fluid.gravity_across().norm() * depth(fluid);
     if square > 0.0 { square.sqrt() } else { f64::INFINITY }
 }
 

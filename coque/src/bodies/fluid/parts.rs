@@ -1,12 +1,12 @@
 //! Liquid, method and start of a fluid, from the scene's words to those of `fluid-sph`.
 
 use explicit_dynamics::Amplitude;
-use fluid_sph::{Beach, Formulation, Liquid, Motion, Rotation, Scheme, Waves};
+use fluid_sph::{Beach, Current, Formulation, Liquid, Motion, Rotation, Scheme, Waves};
 use sph_core::Vec3;
 
 use crate::scene::{self, FluidMethod, FluidScene, WallMotion, WallWaves};
 
-/// Part of its height with which a wave comes back from a beach.
+/// Part of its height with which a wave comes back from a beach, and of what it differs by with which water leaves a current.
 const LEFT: f64 = 0.02;
 
 /// The liquid.
@@ -54,6 +54,18 @@ pub(in crate::bodies) fn beach(wanted: &scene::Beach, gravity: &Vec3) -> Beach {
         along: Vec3::from(wanted.along).normalize(),
         length,
         strength: Beach::strength(length, waves.group_velocity(), LEFT),
+    }
+}
+
+/// The zone that carries the water along.
+pub(in crate::bodies) fn current(wanted: &scene::Current) -> Current {
+    let (length, velocity) = (wanted.length.get(), wanted.velocity.get());
+    Current {
+        from: wanted.from.into(),
+        along: Vec3::from(wanted.along).normalize(),
+        length,
+        velocity,
+        strength: Current::strength(length, velocity, LEFT),
     }
 }
 

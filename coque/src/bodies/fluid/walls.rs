@@ -13,7 +13,7 @@ use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::bounded::numbers;
 use crate::scene::error::SceneError;
 use crate::scene::sets::OF_WALLS;
-use crate::scene::{Basin, Obstacle, WallGeometry, WallSurface, WallsScene};
+use crate::scene::{Basin, Obstacle, PeriodicSides, WallGeometry, WallSurface, WallsScene};
 
 /// Part of a spacing behind a face up to which a particle belongs to the first row.
 const FIRST: f64 = 0.75;
@@ -61,6 +61,35 @@ pub(in crate::bodies) struct Rows {
     pub corners: Vec<Corner>,
     /// Places where the first row has a gap through which a fluid may leak.
     pub leaks: usize,
+}
+
+impl Rows {
+    /// Leaves out what stands beyond periodic sides: it comes in by the opposite ones, where there is a wall already. A particle on both sides
+    /// is one.
+    pub fn cut(&mut self, periodic: &PeriodicSides, spacing: f64) {
+        let beyond = |x: &Vec3| {
+            let rounding = 1e-6 * spacing;
+            let out = |(axis, sides): (usize, &Option<[f64; 2]>)| {
+                sides.is_some_and(|[low, high]| x[axis] < low - rounding || x[axis] >= high - rounding)
+            };
+            periodic.sides().iter().enumerate().any(out)
+        };
+        let mut numbers = Vec::new();
+        for Piece { points, first, .. } in &mut self.pieces {
+            let kept: Vec<bool> = points.iter().map(|x| !beyond(x)).collect();
+            let number = |a: usize| kept[a].then(|| kept[..a].iter().filter(|kept| **kept).count());
+            numbers.push((0..kept.len()).map(number).collect::<Vec<_>>());
+            let mut each = kept.iter();
+            points.retain(|_| each.next() == Some(&true));
+            let mut each = kept.iter();
+            first.retain(|_| each.next() == Some(&true));
+        }
+        self.corners.retain_mut(|corner| {
+            let number = numbers[corner.piece][corner.particle];
+            corner.particle = number.unwrap_or_default();
+            number.is_some()
+        });
+    }
 }
 
 /// Walls of one body with their rows.

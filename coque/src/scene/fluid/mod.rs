@@ -1,7 +1,9 @@
 //! A fluid in a scene: its particles at the start, the liquid, the method, its velocity.
 
+pub(crate) mod current;
 pub(crate) mod formulation;
 pub(crate) mod geometry;
+pub(crate) mod periodic;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -9,8 +11,10 @@ use serde::Deserialize;
 use super::velocity::Velocity;
 use super::waves::Beach;
 use crate::scene::bounded::{NotNegative, Positive};
+use current::Current;
 use formulation::FluidFormulation;
 use geometry::FluidGeometry;
+use periodic::PeriodicSides;
 
 /// A weakly compressible fluid of particles, in a plane or in space.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -27,6 +31,10 @@ pub struct FluidScene {
     pub velocity: Option<Velocity>,
     /// A zone in which waves run out.
     pub beach: Option<Beach>,
+    /// Sides of its box that are one.
+    pub periodic: Option<PeriodicSides>,
+    /// A zone that carries the water along.
+    pub current: Option<Current>,
 }
 
 /// Fluids.

@@ -1,10 +1,12 @@
 //! Fluids by themselves; a new case is a file, a line here, and one in the list.
 
 mod basin;
+mod between_plates;
 mod couette;
 pub mod dam_break;
 mod drop;
 mod obstacle;
+mod open_channel;
 mod speed;
 mod still_water;
 mod tilted_basin;
@@ -21,11 +23,13 @@ pub fn all() -> Vec<Case> {
         basin::case(),
         drop::case(),
         couette::case(),
+        between_plates::case(),
         dam_break::case(),
         wall_impact::case(),
         obstacle::case(),
         speed::case(),
         tilted_basin::case(),
+        open_channel::case(),
         finer::collapsing_column(KICKS),
     ]
 }

@@ -1,6 +1,8 @@
 //! The checks of a fluid and its walls, their keys relative to where they stand in the scene; here of where it is at the start.
 
 mod conditions;
+mod current;
+mod periodic;
 mod speed;
 mod walls;
 mod waves;
@@ -12,6 +14,8 @@ use crate::scene::fluid::geometry::FluidGeometry;
 use crate::scene::scope::Scope;
 
 pub(super) use self::conditions::{check_load_of_fluid, check_unsupported, check_velocity_of_fluid};
+pub(super) use self::current::check_current;
+pub(super) use self::periodic::check_periodic;
 pub(super) use self::speed::check_sound_speed;
 pub(super) use self::waves::check_waves;
 

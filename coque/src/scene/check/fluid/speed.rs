@@ -32,7 +32,9 @@ pub(in crate::scene::check) fn check_sound_speed(scene: &Scene) -> Verdict {
 
 /// Speed of a fall from the highest place of the fluid to its lowest, or to the lowest of walls.
 fn greatest_fall(scene: &Scene, name: &str, fluid: &FluidScene) -> f64 {
+    // Along periodic sides nothing falls from a height: what speed it gets there friction decides.
     let gravity = gravity_on(scene, name);
+    let gravity = fluid.periodic.map_or(gravity, |periodic| periodic.across(&gravity));
     let g = gravity.norm();
     if g == 0.0 {
         return 0.0;
