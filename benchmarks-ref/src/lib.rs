@@ -114,7 +114,7 @@
 //! | drums and balls on a block are Hertz's where the contact is small, and fit the face within it | `a_small_contact_is_that_of_hertz`, `the_face_fits_the_drum_within_the_contact` (src/pressed.rs) |
 //! | rings and strips in fluids are those of the tables | `the_ring_meets_the_table_dry_and_wet`, `the_taut_strip_meets_the_converged_elements` (src/fluid_structure_forms.rs) |
 //! | cantilevers that vibrate are those at rest, and those of Euler and Bernoulli; their end lags | `slow_loads_are_those_at_rest`, `slender_beams_are_those_of_euler_and_bernoulli`, `the_end_lags_behind_the_force` (src/shaken_beam.rs) |
-//! | a plate with a bar along its middle buckles a little below the table's figures | `the_table_lies_a_little_above`, `a_plate_without_a_bar_is_that_of_bryan` (src/stiffened_plate.rs) |
+//! | a plate with a bar along its middle buckles a little below what two terms of a series say | `two_terms_of_a_series_lie_a_little_above`, `a_plate_without_a_bar_is_that_of_bryan` (src/stiffened_plate.rs) |
 //! | plates that shear are those of the tables where they are thin, and add the deflection of shear | `a_thin_plate_is_that_of_the_tables`, `shear_adds_its_own_deflection` (src/sheared_plate.rs) |
 //! | a floating box: half of the added mass of a square, order of its corners, energy | `a_fast_box_has_half_of_the_added_mass_of_a_square`, `times_converge_with_the_order_of_the_corner`, `energy_is_kept` (src/floating_box.rs) |
 //! | an added mass is the energy of its fluid | `the_added_mass_is_the_energy_of_the_fluid` |

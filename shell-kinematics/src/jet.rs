@@ -55,6 +55,8 @@ impl<const N: usize> Add for Jet<N> {
 impl<const N: usize> Mul for Jet<N> {
     type Output = Self;
 
+    /// By the rule of products.
+    #[allow(clippy::suspicious_arithmetic_impl)]
     fn mul(self, other: Self) -> Self {
         let (a, b) = (self, other);
         let slope = std::array::from_fn(|i| a.slope[i] * b.value + a.value * b.slope[i]);

