@@ -17,7 +17,7 @@
 //!
 //! Each round gains a factor of the turn in a step, until g is rounding; nothing of it is left for the next step to inherit. Both bodies of a joint feel opposite
 //! forces at one place and opposite couples: momentum and moment of momentum are kept to rounding. Constraints of which some follow from others, as in a
-//! plane chain of hinges, are told by eigenvalues; of them the least impulses are taken.
+//! plane chain of hinges, are found by eigenvalues; of them the least impulses are taken.
 
 use explicit_dynamics::{Step, Work};
 use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen};

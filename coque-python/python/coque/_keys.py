@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from typing_extensions import NotRequired, TypeAlias, TypedDict
 
     Across: TypeAlias = Union[Literal['x'], Literal['y'], Literal['z']]
+    AlongAxis = TypedDict("AlongAxis", {"axis": Sequence[Union[float, str]]})
     Amplitude_2 = TypedDict("Amplitude_2", {"ramp": Union[float, str]})
     Amplitude_3 = TypedDict("Amplitude_3", {"smooth": Union[float, str]})
     Amplitude_4 = TypedDict("Amplitude_4", {"table": Sequence[Sequence[Union[float, str]]]})
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     Axis: TypeAlias = Union[Literal['edge'], Sequence[Union[float, str]]]
     BackStress = TypedDict("BackStress", {"modulus": Union[float, str], "recovery": Union[float, str]})
     Ball = TypedDict("Ball", {"centre": Sequence[Union[float, str]], "radius": Union[float, str]})
+    BallJoint: TypeAlias = Mapping[str, Any]
     BaseResponse: TypeAlias = Union[Literal['relative'], Literal['absolute']]
     Baseline: TypeAlias = Union[Literal['none'], Literal['linear']]
     Basin = TypedDict("Basin", {"max": Sequence[Union[float, str]], "min": Sequence[Union[float, str]], "open": NotRequired[Sequence[str]]})
@@ -148,6 +150,7 @@ if TYPE_CHECKING:
     Influence: TypeAlias = Union[Literal['constant'], Literal['inverse'], Literal['linear']]
     InitialStress = TypedDict("InitialStress", {"axis": NotRequired[Sequence[Union[float, str]]], "bending": NotRequired[Sequence[Union[float, str]]], "membrane": NotRequired[Sequence[Union[float, str]]], "on": str})
     JohnsonCook = TypedDict("JohnsonCook", {"factor": Union[float, str], "reference": Union[float, str]})
+    JointScene = TypedDict("JointScene", {"at": Sequence[Union[float, str]], "ball": NotRequired["BallJoint"], "hinge": NotRequired["AlongAxis"], "on": str, "slider": NotRequired["AlongAxis"], "to": NotRequired[str]})
     Layer = TypedDict("Layer", {"depth": Union[float, str], "face": str})
     Layered = TypedDict("Layered", {"axis": Sequence[Union[float, str]], "plies": Sequence["Ply"]})
     Length: TypeAlias = Union[Literal['m'], Literal['cm'], Literal['mm'], Literal['in'], Literal['ft'], Literal['-']]
@@ -156,6 +159,7 @@ if TYPE_CHECKING:
     Linear = TypedDict("Linear", {"slope": NotRequired[Union[float, str]], "yield-stress": Union[float, str]})
     Linear2 = TypedDict("Linear2", {"combinations": NotRequired[Sequence["Combination"]], "iterations": NotRequired[Union[int, str]], "solver": NotRequired["LinearSolver"]})
     LinearSolver: TypeAlias = Union[Literal['direct'], Literal['conjugate-gradients']]
+    LinkScene = TypedDict("LinkScene", {"bears": NotRequired["Side"], "damping": NotRequired[Union[float, str]], "direction": NotRequired[Sequence[Union[float, str]]], "gap": NotRequired[Union[float, str]], "length": NotRequired[Union[float, str]], "on": str, "point": NotRequired[Sequence[Union[float, str]]], "stiffness": NotRequired[Union[float, str]], "table": NotRequired[Sequence[Sequence[Union[float, str]]]], "to": NotRequired[str]})
     Liquid = TypedDict("Liquid", {"density": Union[float, str], "kinematic_viscosity": NotRequired[Union[float, str]], "sound_speed": Union[float, str]})
     Load = TypedDict("Load", {"amplitude": NotRequired["Amplitude"], "case": NotRequired[str], "couple": NotRequired["Couple"], "force": NotRequired["Force2"], "gas": NotRequired["Gas"], "gravity": NotRequired["Gravity"], "on": Union[str, Sequence[str]], "preload": NotRequired[bool], "pressure": NotRequired["Pressure"], "temperature": NotRequired["Temperature"], "traction": NotRequired["Traction"], "volume": NotRequired["Volume"]})
     LumpedMass = TypedDict("LumpedMass", {"mass": Union[float, str], "on": str})
@@ -239,6 +243,7 @@ if TYPE_CHECKING:
     ShellPart = TypedDict("ShellPart", {"formulation": NotRequired["PartFormulation"], "material": NotRequired["Material"], "offset": NotRequired[Union[float, str]], "on": str, "section": NotRequired["Section"]})
     ShellScene = TypedDict("ShellScene", {"formulation": NotRequired["Formulation"], "geometry": "Geometry", "imperfection": NotRequired["Imperfection"], "initial_stress": NotRequired[Sequence["InitialStress"]], "masses": NotRequired[Sequence["LumpedMass"]], "material": "Material", "orientation": NotRequired["Orientation"], "parts": NotRequired[Sequence["ShellPart"]], "placed": NotRequired["Placed"], "rigid": NotRequired[Sequence["RigidBody"]], "section": "Section", "stiffeners": NotRequired[Sequence["StiffenerScene"]], "ties": NotRequired[Sequence["ShellTie"]], "tools": NotRequired[Sequence["ToolScene"]], "velocity": NotRequired["Velocity"], "wet": NotRequired["WetFaces"]})
     ShellTie = TypedDict("ShellTie", {"edge": str, "to": str})
+    Side: TypeAlias = Union[Literal['tension'], Literal['compression']]
     Sign: TypeAlias = Union[Literal['positive'], Literal['negative'], Literal['either']]
     Smeared = TypedDict("Smeared", {"density": Union[float, str]})
     SolidFormulation_1 = TypedDict("SolidFormulation_1", {"bond-based": "Bonds"})

@@ -13,7 +13,7 @@ fn a_piston_goes_where_its_crank_leads_it() {
     let outcome = ran(overridden(&text(CRANK), CRANK, &[]));
     let (r, l) = (0.1_f64, 0.3_f64);
     for (x, turn) in column(&outcome, "x").into_iter().zip(column(&outcome, "turn")) {
-        let exact = r * turn.cos() + (l * l - (r * turn.sin()).powi(2)).sqrt() - r - l;
+        let exact = r * libm::cos(turn) + (l * l - (r * libm::sin(turn)).powi(2)).sqrt() - r - l;
         assert!((x - exact).abs() < 1e-12, "{turn}: {x} {exact}");
     }
     let kinetic = column(&outcome, "kinetic");

@@ -15,6 +15,8 @@ use crate::scene::{Analysis, BodyScene, Scene};
 
 /// Part of a line across the plane of a plane body beyond which it leads out of it.
 const OUT_OF_PLANE: f64 = 1e-9;
+/// Part of the greatest coordinate below which two ends are on one place.
+const NO_LINE: f64 = 1e-12;
 
 /// Springs, cables and gaps of a scene.
 #[derive(Clone)]
@@ -263,6 +265,7 @@ fn made(
         }
     };
     let plane = [Some(*on), *to].into_iter().flatten().any(|(body, _)| is_plane(scene, body));
+    let extent = layout.rest.iter().map(|x| x.amax()).fold(0.0, f64::max);
     let mut ends = Vec::with_capacity(pairs.len());
     for (a, b) in pairs {
         let here = layout.rest[a as usize];
@@ -277,7 +280,7 @@ fn made(
         let span = match own.direction {
             // The ground stands still: what draws the link is the motion of the set.
             Some(n) => Span::Along(Vec3::from(n).normalize() * if b.is_some() { 1.0 } else { -1.0 }),
-            None => Span::Length(of_length(scene, link, &(there - here), plane, b == Some(a))?),
+            None => Span::Length(of_length(scene, link, &(there - here), extent, [plane, b == Some(a)])?),
         };
         ends.push(Ends { near: a, far, span });
     }
@@ -302,8 +305,8 @@ fn of_length(
     scene: &Scene,
     link: &LinkInScene<'_>,
     apart: &Vec3,
-    plane: bool,
-    alike: bool,
+    extent: f64,
+    [plane, alike]: [bool; 2],
 ) -> Result<f64, SceneError> {
     let LinkInScene { path, to, own, .. } = link;
     let key = format!("{path}.{}", if to.is_some() { "to" } else { "point" });
@@ -314,10 +317,10 @@ fn of_length(
     if plane && apart.z.abs() > OUT_OF_PLANE * distance {
         let value = format!("an end {:.4e} across the plane from the other", apart.z.abs());
         let repair = "let both ends have the same z: a plane body stays in its plane";
-        return refuse(&value, "in the plane of x and y", repair);
+        return refuse(&value, "but the line between them stays in the plane of x and y", repair);
     }
-    if alike || distance == 0.0 && own.length.is_none() {
-        let bound = "ends that stand apart: there is no line between them";
+    if alike || distance <= NO_LINE * extent && own.length.is_none() {
+        let bound = "but a line between two places draws the link";
         return refuse("both ends on one place", bound, "give a `direction`, or name another set");
     }
     Ok(own.length.map_or(distance, |length| length.get()))

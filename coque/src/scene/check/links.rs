@@ -99,7 +99,7 @@ fn check_kind(scene: &Scene, link: &LinkInScene<'_>) -> Verdict {
         [("stiffness", stiffness.is_some()), ("table", table.is_some()), ("damping", damping.is_some())];
     let known = given.map(|(word, _)| word);
     let given: Vec<&str> = given.into_iter().filter_map(|(word, there)| there.then_some(word)).collect();
-    s.exactly_one(path, "kind of force; a spring with a dashpot beside it is two links", &given, &known)?;
+    s.exactly_one(path, "kind of force", &given, &known)?;
     let only = |key: &str, there: bool, with: &str, repair: &str| match there {
         true => {
             let (value, bound) = (format!("`{key}`"), format!("none without `{with}`"));

@@ -42,7 +42,10 @@ fn check_depths(scene: &Scene) -> Verdict {
 /// What is applied before the analysis is applied to one body.
 pub(super) fn check_before(body: &BodyInScene<'_>) -> Verdict {
     let refuse = |path: &str, value: &str| {
-        let bound = "none of one of several bodies, or beside [[links]]: all is led by one level";
+        let bound = match body.together {
+            true => "none of one of several bodies: all of them are led by one level",
+            false => "none beside [[links]]: all is led by one level",
+        };
         let repair = "remove it, or let it grow with the other loads";
         Err(SceneError::Choice(body.source.fault(path, value, bound, repair)))
     };
