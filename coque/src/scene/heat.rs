@@ -74,7 +74,7 @@ impl HeatScene {
         Self::WORDS.into_iter().zip(given).filter(|(_, given)| *given).map(|(word, _)| word).collect()
     }
 
-    /// Whether temperatures are told by it: other heat comes whatever they are.
+    /// Whether temperatures follow from it: other heat comes whatever they are.
     pub(crate) fn tells(&self) -> bool {
         let radiates = self.radiation.is_some_and(|own| own.emissivity > 0.0);
         self.held.is_some() || self.film.is_some() || radiates

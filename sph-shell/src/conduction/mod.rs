@@ -151,11 +151,14 @@ impl Conduction {
 
     /// The first particle of a piece whose temperature nothing tells: neither is it held nor is there a film or radiation. None where there is no such piece.
     pub fn untold(&self) -> Option<u32> {
-        let mut told: Vec<bool> =
+        let mut known: Vec<bool> =
             (0..self.held.len()).map(|a| self.held[a].is_some() || self.film[a][0] > 0.0).collect();
-        self.radiating.iter().filter(|(_, own)| own.factor > 0.0).for_each(|(a, _)| told[*a as usize] = true);
+        self.radiating
+            .iter()
+            .filter(|(_, own)| own.factor > 0.0)
+            .for_each(|(a, _)| known[*a as usize] = true);
         let piece =
-            self.pieces.iter().find(|piece| piece.iter().all(|&a| !told[self.node[a as usize] as usize]));
+            self.pieces.iter().find(|piece| piece.iter().all(|&a| !known[self.node[a as usize] as usize]));
         piece.and_then(|piece| piece.first().copied())
     }
 }

@@ -12,9 +12,9 @@ use sph_shell::{
 use super::balance::warning_of_start;
 use super::cells::CellSets;
 use super::conducting::ConductingShell;
-use super::conduction::Heated;
 use super::describe::describe;
 use super::edges::free_edges;
+use super::heated::Heated;
 use super::imported::{Imported, Provenance};
 use super::places;
 use super::rigid::free_motions;

@@ -1,28 +1,15 @@
 //! From the heat of a scene to the surface that conducts it, and to the temperatures that loads take of it.
 
-use sph_core::{Cloud, EndWeights};
+use sph_core::Cloud;
 use sph_shell::{Conduction, Conductor, Radiation, spread};
 
 use super::build::Builder;
-use super::cells::CellSets;
-use super::imported::Imported;
+use super::heated::Heated;
 use crate::bodies::refusal::model_error;
-use crate::bodies::sets::{self, Sets};
+use crate::bodies::sets;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
 use crate::scene::{HeatScene, Layered, Material, MaterialSection, faces_count};
-
-/// A shell on which heat is put.
-#[derive(Clone, Copy)]
-pub(super) struct Heated<'a> {
-    /// Not turned yet.
-    pub flat: &'a Cloud,
-    pub cloud: &'a Cloud,
-    pub sets: &'a Sets,
-    pub cells: &'a CellSets<'a>,
-    pub imported: Option<&'a Imported>,
-    pub weights: EndWeights,
-}
 
 /// How cells conduct, and how thick they are \[L\].
 type Conducting = (Vec<Conductor>, Vec<f64>);

@@ -15,6 +15,7 @@ mod edges;
 mod enclosed;
 mod fields;
 pub(crate) mod heat;
+mod heated;
 mod imported;
 mod indicator;
 mod linear_forces;
