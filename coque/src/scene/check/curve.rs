@@ -159,12 +159,12 @@ fn measured_alone(scene: &BodyInScene<'_>) -> Vec<Measured> {
         return vec![Measured::Temperature, Measured::HeldHeat, Position];
     }
     use Measured::{
-        Acceleration, BarForce, BarMoment, BendingMoment, ContactForce, ContactGap, ContactMoment, Damage, Density, Director,
-        Displacement, EnclosedPressure, EnclosedVolume, Energy, FailureIndex, Flux, Force, FractureEnergy,
-        FrictionLoss, GreatestDepth, Level, MaxPrincipal, MembraneForce, MinPrincipal, Moment, Pieces,
-        PlasticStrain, PlasticWork, PlyStress, Position, Pressure, PrincipalAngle, Reaction, ReactionMoment,
-        ReserveFactor, Rotation, SectionForce, SectionMoment, ShearForce, StrainEnergy, Stress, Thickness,
-        TouchingArea, Tresca, Velocity, VonMises, WetLength,
+        Acceleration, BarForce, BarMoment, BendingMoment, ContactForce, ContactGap, ContactMoment, Damage,
+        Density, Director, Displacement, EnclosedPressure, EnclosedVolume, Energy, FailureIndex, Flux, Force,
+        FractureEnergy, FrictionLoss, GreatestDepth, Level, MaxPrincipal, MembraneForce, MinPrincipal,
+        Moment, Pieces, PlasticStrain, PlasticWork, PlyStress, Position, Pressure, PrincipalAngle, Reaction,
+        ReactionMoment, ReserveFactor, Rotation, SectionForce, SectionMoment, ShearForce, StrainEnergy,
+        Stress, Thickness, TouchingArea, Tresca, Velocity, VonMises, WetLength,
     };
     match scene.body {
         BodyScene::Fluid(_) => {
