@@ -34,6 +34,7 @@ pub(crate) mod linked;
 mod links;
 mod lists;
 mod loads;
+mod measured;
 mod nearest;
 mod output;
 mod overrides;

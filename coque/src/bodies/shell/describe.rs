@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use mesh_io::surface::side;
 use sph_shell::Shell;
 
+use super::bars::described_stiffener;
 use super::imported::Provenance;
-use super::stiffeners::described_stiffener;
 use crate::bodies::{Description, LoadResultants, Resultant, TangentCost};
 use crate::scene::body_in_scene::ShellInScene;
 use crate::scene::{

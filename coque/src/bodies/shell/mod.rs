@@ -3,6 +3,7 @@
 mod arrays;
 mod attached;
 mod balance;
+mod bars;
 mod body;
 pub(crate) mod build;
 mod cells;

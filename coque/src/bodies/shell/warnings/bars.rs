@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::look::Look;
-use crate::bodies::shell::stiffeners::bar_of;
+use crate::bodies::shell::bars::bar_of;
 use crate::scene::Material;
 
 /// Relative error of a deflection above which it is reported.
