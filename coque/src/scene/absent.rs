@@ -122,7 +122,7 @@ const ROWS: &[Row] = &[
         },
     ),
     (
-        &["response_spectrum", "spectrum", "random", "psd"],
+        &["spectrum", "random", "psd"],
         &["analysis"],
         Instead(
             "greatest answers to a spectrum are [analysis.response-spectrum], noise is [analysis.random-vibration]",

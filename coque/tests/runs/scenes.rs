@@ -40,6 +40,7 @@ fn in_the_long_form(text: &str) -> String {
         "parts",
         "masses",
         "ties",
+        "stiffeners",
         "rigid",
         "tools",
         "initial_stress",
@@ -47,7 +48,7 @@ fn in_the_long_form(text: &str) -> String {
         "velocity",
     ];
     let shell = keys.into_iter().filter_map(|key| scene.remove_entry(key)).collect::<toml::Table>();
-    for list in ["supports", "loads", "curve"] {
+    for list in ["supports", "loads", "curve", "heat", "links"] {
         for item in scene.get_mut(list).and_then(|list| list.as_array_mut()).into_iter().flatten() {
             let long = |on: &toml::Value| toml::Value::from(format!("shell.{}", on.as_str().unwrap()));
             item["on"] = match &item["on"] {
@@ -75,6 +76,9 @@ fn said(scene: Checked) -> String {
         loads,
         contact,
         glue,
+        heat,
+        links,
+        joints,
         analysis,
         coupling,
         curve,
@@ -93,7 +97,7 @@ fn said(scene: Checked) -> String {
             bodies,
             sets,
             supports,
-            (loads, contact, glue),
+            (loads, contact, glue, heat, links, joints),
             (analysis, coupling),
             curve,
             (output, error)

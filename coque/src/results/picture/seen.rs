@@ -60,7 +60,10 @@ impl<'a> Seen<'a> {
     }
 
     pub fn extent(&self) -> PictureExtent {
-        PictureExtent::of(self.now.iter().chain(&self.before), &self.values.of_cells)
+        // Of points alone nothing is drawn at rest, which of a flow that goes round lies periods away.
+        let drawn_at_rest = self.sheet.cells.iter().any(|cell| cell.len() > 1);
+        let before = self.before.iter().filter(|_| drawn_at_rest);
+        PictureExtent::of(self.now.iter().chain(before), &self.values.of_cells)
     }
 }
 
