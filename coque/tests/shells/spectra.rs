@@ -125,7 +125,7 @@ fn a_density_is_a_harmonic_answer_squared() {
     let density = |f: f64| -> f64 {
         let [[f0, g0], [f1, g1]] =
             if f < 100.0 { [[10.0, 0.02], [100.0, 0.05]] } else { [[100.0, 0.05], [400.0, 0.01]] };
-        g0 * (f / f0).powf((g1 / g0).ln() / (f1 / f0).ln())
+        g0 * libm::pow(f / f0, libm::log(g1 / g0) / libm::log(f1 / f0))
     };
     let swings = "{ harmonic = { modes = 8, damping.ratio = 0.02, frequencies = [15.0, 31.0, 60.0, 240.0], base.acceleration = [0.5, 0.0, 2.0] } }";
     let noise = noisy(&[]);

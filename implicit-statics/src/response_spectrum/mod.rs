@@ -114,7 +114,7 @@ mod tests {
     #[test]
     fn modes_go_together_as_noise_lets_them() {
         let equal = |zeta: f64, r: f64| {
-            8.0 * zeta * zeta * (1.0 + r) * r.powf(1.5)
+            8.0 * zeta * zeta * (1.0 + r) * libm::pow(r, 1.5)
                 / ((1.0 - r * r).powi(2) + 4.0 * zeta * zeta * r * (1.0 + r).powi(2))
         };
         for r in [0.5, 0.8, 0.9, 0.99, 1.3] {

@@ -228,7 +228,7 @@ fn buckling(n: usize, gamma: f64, delta: f64) -> f64 {
         let end = at(&cloud, |p| (p.x - x).abs() < 1e-9);
         let share = |&a: &u32| {
             let y = cloud.positions[a as usize].y;
-            let line = if y < 1e-9 || y > 1.0 - 1e-9 { 0.5 } else { 1.0 } / n as f64;
+            let line = if (1e-9..=1.0 - 1e-9).contains(&y) { 1.0 } else { 0.5 } / n as f64;
             (a, line + if (y - 0.5).abs() < 1e-9 { delta } else { 0.0 })
         };
         let shares: Vec<(u32, f64)> = end.iter().map(share).collect();

@@ -25,7 +25,7 @@ fn bar(particles: Vec<u32>, [width, height]: [f64; 2], eccentricity: f64) -> Sti
 
 /// Two bars that cross, one above and one below.
 fn crossed(cloud: Cloud) -> Shell {
-    let lattice = cloud.lattice.clone().unwrap();
+    let lattice = cloud.lattice.unwrap();
     let bars = vec![bar(lattice.column(3), [0.1, 0.3], 0.25), bar(lattice.row(2), [0.2, 0.15], -0.2)];
     Shell::builder(parts(cloud, CELLS, 0.2)).stiffeners(bars).build().unwrap()
 }
@@ -181,7 +181,7 @@ fn rings_widen_with_their_tube() {
     let counts = [33, 5];
     let angles = [0.0, 0.25 * TAU];
     let cloud = lattice(&Cylinder { radius, angles, length }, counts, EndWeights::Trapezoid).unwrap();
-    let rows = cloud.lattice.clone().unwrap();
+    let rows = cloud.lattice.unwrap();
     let sides = cloud.sides.clone().unwrap();
     let edge = |side: Side| sides.edge(side).to_vec();
     let normal = |side: Side| {
@@ -244,7 +244,7 @@ fn what_is_no_line_is_refused() {
     let joint = at(&twice, |x| x.x.abs() < 1e-9 && x.z.abs() < 1e-9);
     assert!(matches!(refused(build(joint, 0.0, twice)), StiffenerError::Twice { .. }));
     let tube = curved([7, 6]);
-    let row = tube.lattice.clone().unwrap().row(2);
+    let row = tube.lattice.unwrap().row(2);
     let inwards =
         -2.9 * tube.frames[0].n.dot(&Vec3::new(tube.positions[0].x, 0.0, tube.positions[0].z)).signum();
     let found = [inwards, -inwards].map(|height| {

@@ -13,7 +13,7 @@ const CELLS: Formulation = Formulation::StressPoint(Reach::Cell);
 /// A curved sheet with two bars that cross, at a height, so thrown that it turns and bends.
 fn thrown(counts: [usize; 2], threads: usize) -> Shell {
     let cloud = curved(counts);
-    let lattice = cloud.lattice.clone().unwrap();
+    let lattice = cloud.lattice.unwrap();
     let section = BarSection::rectangle([YOUNG, 0.4 * YOUNG], 0.1, 0.3);
     let bar = |particles, height| Stiffener { particles, section, height, mass: 0.03 * DENSITY };
     let bars = vec![bar(lattice.column(counts[0] / 2), 0.25), bar(lattice.row(2), -0.25)];

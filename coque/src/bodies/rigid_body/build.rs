@@ -67,7 +67,7 @@ pub(in crate::bodies) fn rigid_made(
     if let Analysis::Explicit(Explicit { transient: Some(run), .. }) = scene.analysis {
         // Bodies beside it have steps of their own, and so has its contact with tools; what swings on links or joints has none.
         let alone = !scene.together && rigid.tools.is_empty();
-        let hangs = !scene.in_fluid && !(scene.scene.links.is_empty() && scene.scene.joints.is_empty());
+        let hangs = !(scene.in_fluid || scene.scene.links.is_empty() && scene.scene.joints.is_empty());
         let steps = if alone || hangs { STEPS_A_RECORD } else { 1.0 };
         body.bound_step(run.record_every.get() / steps);
     }
