@@ -65,7 +65,7 @@ const EXAMPLES: [Example; 112] = [
     Example::new("drum-on-bonds", 2.0, include_str!("../../../scenes/drum-on-bonds.toml")),
     Example::new("flanged-bracket", 0.1, include_str!("../../../scenes/meshes/flanged-bracket.toml")),
     Example::new("flow-between-plates", 0.3, include_str!("../../../scenes/flow-between-plates.toml")),
-    Example::new("open-channel", 25.0, include_str!("../../../scenes/open-channel.toml")),
+    Example::new("open-channel", 35.0, include_str!("../../../scenes/open-channel.toml")),
     Example::new("floating-box", 2.0, include_str!("../../../scenes/floating-box.toml")),
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
@@ -119,7 +119,7 @@ const EXAMPLES: [Example; 112] = [
     Example::new("sandwich-panel", 0.2, include_str!("../../../scenes/sandwich-panel.toml")),
     Example::new("scordelis-lo", 0.1, include_str!("../../../scenes/scordelis-lo.toml")),
     Example::new("shell-in-water", 24.0, include_str!("../../../scenes/shell-in-water.toml")),
-    Example::new("slider-crank", 0.2, include_str!("../../../scenes/slider-crank.toml")),
+    Example::new("slider-crank", 0.9, include_str!("../../../scenes/slider-crank.toml")),
     Example::new("spinning-block", 0.1, include_str!("../../../scenes/spinning-block.toml")),
     Example::new("stepped-plate", 0.1, include_str!("../../../scenes/stepped-plate.toml")),
     Example::new(
