@@ -32,7 +32,9 @@ fn main() {
     for (which, row) in rows().iter().enumerate() {
         let counts = STEPS.map(|steps| count(which, steps));
         let [Some(few), Some(many)] = counts else {
-            println!("instruction counts skipped: valgrind is not here, or stopped the program, or did not report a count");
+            println!(
+                "instruction counts skipped: valgrind is not here, or stopped the program, or did not report a count"
+            );
             return;
         };
         let each = (many - few) as f64 / ((STEPS[1] - STEPS[0]) * (SIDE * SIDE) as u64) as f64;
