@@ -141,11 +141,12 @@ impl Fluid {
         (0..self.len()).map(open).collect()
     }
 
-    /// The direction in which levels are measured.
+    /// The direction in which levels are measured: along a flow that goes round nothing has a height.
     fn up(&self) -> Vec3 {
-        let strength = self.gravity.norm();
+        let gravity = self.gravity_across();
+        let strength = gravity.norm();
         match (strength > 0.0, self.dimensions) {
-            (true, _) => -self.gravity / strength,
+            (true, _) => -gravity / strength,
             (false, 2) => Vec3::y(),
             (false, _) => Vec3::z(),
         }

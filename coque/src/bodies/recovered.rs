@@ -3,7 +3,7 @@
 //! Resultants are sampled at the middles of cells. A particle inside has the cells that meet at it as its patch; a linear polynomial in the plane
 //! that touches the surface there, fitted to the patch by least squares over areas, is read at the particle. A particle on an edge takes the mean of
 //! what the patches of its neighbours inside say of it, at best of those to which an edge of a cell leads. Where there are none, in strips one cell wide, the cells round its own ones are its patch. What a
-//! patch does not determine, a slope across one row of cells, stays zero. Patches end where the section changes.
+//! patch does not determine, a slope across one row of cells, stays zero. Patches end where the section steps.
 //!
 //! Components of a cell are carried to the frame of the particle by the least rotation that takes its normal there.
 
@@ -11,10 +11,15 @@ use std::collections::BTreeSet;
 
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use sph_core::{Cell, Frame, Vec3};
-use sph_shell::Shell;
+use sph_shell::{PointSection, Shell};
 
 /// Part of the greatest moment of a patch below which it does not determine a slope.
 const FLAT: f64 = 1e-6;
+
+/// Part of areas that are alike that rounding makes of them.
+const ROUNDING: f64 = 1e-6;
+/// Part of a thickness, or of a stiffness, by which a section may differ from cell to cell and be one that goes on.
+const STEP: f64 = 0.1;
 
 /// What a cell gives to a particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,15 +71,15 @@ impl<'a> Patches<'a> {
         for (number, cell) in (0..).zip(cells) {
             cell.particles().iter().for_each(|&a| all[a as usize].push(number));
         }
+        // Of sections that step those of the greatest area, of two alike the thinner: its stress is the greater.
         let of_one_section = |own: &Vec<u32>| {
-            let area = |section: usize| -> f64 {
-                let of_it = own.iter().filter(|&&c| shell.section_number(c as usize) == section);
-                of_it.map(|&c| points[c as usize].weight).sum()
-            };
-            let sections: BTreeSet<usize> = own.iter().map(|&c| shell.section_number(c as usize)).collect();
-            let most = sections.into_iter().max_by(|&a, &b| area(a).total_cmp(&area(b)));
-            let of_most = |c: &&u32| Some(shell.section_number(**c as usize)) == most;
-            own.iter().filter(of_most).copied().collect::<Vec<u32>>()
+            let alike = |c: u32| own.iter().copied().filter(move |&d| alike(shell, c, d));
+            let area = |c: u32| alike(c).map(|d| points[d as usize].weight).sum::<f64>();
+            let greatest = own.iter().map(|&c| area(c)).fold(0.0, f64::max);
+            let thickness = |c: u32| shell.section_at(c as usize).thickness;
+            let widest = own.iter().copied().filter(|&c| area(c) > (1.0 - ROUNDING) * greatest);
+            let first = widest.min_by(|&c, &d| thickness(c).total_cmp(&thickness(d)));
+            first.map_or_else(Vec::new, |first| alike(first).collect())
         };
         let around: Vec<Vec<u32>> = all.iter().map(of_one_section).collect();
         let closes = |(a, own): (u32, &Vec<u32>)| {
@@ -90,14 +95,9 @@ impl<'a> Patches<'a> {
         if self.inside[a as usize] {
             return self.fitted(a, own, 1.0);
         }
-        let section = own.first().map(|&c| self.shell.section_number(c as usize));
         let hosts = |near: fn(&Cell, u32) -> Vec<u32>| -> BTreeSet<u32> {
             let near = own.iter().flat_map(|&c| near(&self.cells[c as usize], a));
-            let alike = |b: &u32| {
-                let first = self.around[*b as usize].first();
-                self.inside[*b as usize] && first.map(|&c| self.shell.section_number(c as usize)) == section
-            };
-            near.filter(alike).collect()
+            near.filter(|&b| self.inside[b as usize] && self.alike(a, b)).collect()
         };
         let mut inner = hosts(beside);
         if inner.is_empty() {
@@ -107,11 +107,17 @@ impl<'a> Patches<'a> {
             let corners = own.iter().flat_map(|&c| self.cells[c as usize].particles());
             let round: BTreeSet<u32> =
                 corners.flat_map(|&b| self.around[b as usize].iter().copied()).collect();
-            let of_own = |c: &u32| Some(self.shell.section_number(*c as usize)) == section;
+            let of_own = |c: &u32| own.first().is_some_and(|&first| alike(self.shell, first, *c));
             return self.fitted(a, &round.into_iter().filter(of_own).collect::<Vec<u32>>(), 1.0);
         }
         let each = 1.0 / inner.len() as f64;
         inner.iter().flat_map(|&b| self.fitted(a, &self.around[b as usize], each)).collect()
+    }
+
+    /// Whether the patches of two particles have one section.
+    fn alike(&self, a: u32, b: u32) -> bool {
+        let [first, other] = [a, b].map(|a| self.around[a as usize].first());
+        first.zip(other).is_some_and(|(&c, &d)| alike(self.shell, c, d))
     }
 
     /// Weights of the value at a particle of the linear course that fits best to some cells; the first column of the inverse of their moments.
@@ -141,6 +147,29 @@ impl<'a> Patches<'a> {
         };
         turned.iter().map(share).collect()
     }
+}
+
+/// Whether the section goes on from one cell to another: the same one, or as thick, as high and as stiff but for a tenth, as in tapers.
+fn alike(shell: &Shell, one: u32, other: u32) -> bool {
+    let [one, other] = [one, other].map(|c| c as usize);
+    if shell.section_number(one) == shell.section_number(other) {
+        return true;
+    }
+    let near = |[a, b]: [f64; 2], size: f64| (a - b).abs() <= STEP * size;
+    let [a, b] = [one, other].map(|c| shell.section_at(c));
+    let stiff = [one, other].map(|c| shell.stretch_stiffness(c));
+    let thick = a.thickness.max(b.thickness);
+    near([a.thickness, b.thickness], thick)
+        && near([a.height, b.height], thick)
+        && near(stiff, stiff[0].max(stiff[1]))
+}
+
+/// Thickness, and height of its middle \[L, L\], where cells give these shares.
+pub(in crate::bodies) fn section(shell: &Shell, shares: &[Share]) -> [f64; 2] {
+    let of = |read: fn(&PointSection) -> f64| -> f64 {
+        shares.iter().map(|share| share.weight * read(&shell.section_at(share.cell as usize))).sum()
+    };
+    if shares.is_empty() { [shell.thickness(), 0.0] } else { [of(|own| own.thickness), of(|own| own.height)] }
 }
 
 /// Corners of a cell to which an edge leads from one of them.

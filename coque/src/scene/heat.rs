@@ -49,8 +49,7 @@ pub struct RadiationScene {
     pub constant: Positive,
     /// Temperature of what surrounds it \[Θ\].
     pub surroundings: f64,
-    /// Absolute zero in the unit of temperature, -273.15 of degrees Celsius \[Θ\].
-    #[serde(default)]
+    /// Absolute zero in the unit of temperature, 0 of kelvins, -273.15 of degrees Celsius \[Θ\].
     pub zero: f64,
     /// The faces that radiate; left out, both alike.
     #[serde(default)]

@@ -209,3 +209,37 @@ fn currents_that_carry_nothing_are_refused() {
     let cases: Vec<_> = cases.iter().map(|(name, to)| (*name, sides, to.as_str())).collect();
     insta::assert_snapshot!(refused(STREAM, &cases));
 }
+
+/// Walls, zones and sections that would end at a side are refused.
+#[test]
+fn what_would_end_at_a_side_is_refused() {
+    let fault = |replaced: Replaced| {
+        let found = overridden(STREAM, "stream.toml", replaced).and_then(|scene| scene.build(1));
+        found.map(|_| ()).unwrap_err().to_string()
+    };
+    let slanted = "[{ name = \"q\", of = \"flux\", on = \"water.all\", through = { point = [0.1, 0, 0], normal = [1, 0.1, 0] } }]";
+    assert!(fault(&[("curve", slanted)]).contains("a slanted section ends at a side"));
+    let zone = "{ from = [0.1, 0.0, 0.0], along = [1.0, 1.0, 0.0], length = 0.2, velocity = 0.5 }";
+    assert!(fault(&[("bodies.water.fluid.current", zone)]).contains("a slanted zone would end at its sides"));
+    // Half of the block beyond the side, all of the bed a period farther on.
+    for (wall, at) in [("block", "[0.35, 0.0]"), ("bed", "[0.4, -0.04]")] {
+        let key = format!("bodies.{wall}.walls.geometry.block.origin");
+        let found = fault(&[(&key, at)]);
+        assert!(found.contains("beyond a periodic side of the fluid"), "{wall}: {found}");
+    }
+}
+
+/// Along a flow that goes round nothing has a height: gravity that drives it does not lean its levels.
+#[test]
+fn levels_are_measured_across_what_goes_round() {
+    let gauge = |name: &str, x: f64| {
+        format!("{{ name = \"{name}\", of = \"level\", on = \"water.all\", at = [{x:?}, 0, 0] }}")
+    };
+    let curve = format!("[{}, {}]", gauge("near", 0.1), gauge("far", 0.2));
+    let found = stream(&[("curve", &curve)]);
+    for name in ["near", "far"] {
+        // The water is .1 m deep; a gauge sees where particles fill half of space, to a hundredth of a spacing.
+        let level = column(&found, name)[0];
+        assert!((level - 0.1).abs() < 3e-4, "{name}: {level}");
+    }
+}

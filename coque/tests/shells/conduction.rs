@@ -169,12 +169,12 @@ fn what_heat_does_not_go_with_is_refused() {
         (
             "surroundings below absolute zero",
             "held = 100.0 ",
-            "radiation = { emissivity = 0.5, constant = 5.67e-8, surroundings = -20.0 } #",
+            "radiation = { emissivity = 0.5, constant = 5.67e-8, surroundings = -20.0, zero = 0.0 } #",
         ),
         (
             "an emissivity beyond one",
             "held = 100.0 ",
-            "radiation = { emissivity = 1.5, constant = 5.67e-8, surroundings = 20.0 } #",
+            "radiation = { emissivity = 1.5, constant = 5.67e-8, surroundings = 20.0, zero = 0.0 } #",
         ),
         ("a set that is none", "on = \"u0\"\nheld", "on = \"root\"\nheld"),
         (

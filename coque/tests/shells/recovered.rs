@@ -113,23 +113,75 @@ fn the_peak_at_a_hole_is_that_of_its_edge() {
     assert!(cells < 0.94 * 162.27, "{cells}");
 }
 
-/// Where the thickness steps a particle has the stress of one side, not a mean of both.
+/// A strip whose thickness falls along it by less than a tenth from cell to cell is one section: its moment at the clamp is F L/b, from either end.
 #[test]
-fn stresses_at_a_step_are_those_of_one_side() {
+fn moments_of_a_tapered_strip_reach_its_clamp() {
+    let text = |clamp: &str, tip: &str, part: [f64; 2]| {
+        let parts: String = (0..10)
+            .map(|k| {
+                let thickness = part[0] + part[1] * (f64::from(k) + 0.5);
+                format!(
+                    "[[parts]]\non = \"c{k}\"\nsection.homogeneous.thickness = {thickness:?}\n[sets.c{k}.box]\nmin = [{:?}, -9.0, -9.0]\nmax = [{:?}, 9.0, 9.0]\n",
+                    f64::from(k) - 0.01,
+                    f64::from(k) + 1.01
+                )
+            })
+            .collect();
+        format!(
+            "title = \"Strip\"\nunits = {{ length = \"mm\", force = \"N\", time = \"s\" }}\nanalysis.linear = {{}}\n\
+             geometry.plate = {{ lengths = [10.0, 1.0], particles = [11, 3] }}\nsection.homogeneous.thickness = 0.1\n\
+             material.elastic = {{ young = 1000.0, poisson = 0.0, density = 1e-9 }}\nsupports = [{{ on = \"{clamp}\", clamped = {{}} }}]\n\
+             loads = [{{ on = \"{tip}\", force = {{ total = [0, 0, 1e-4] }} }}]\n\
+             curve = [{{ name = \"M\", of = \"bending-moment\", on = \"{clamp}\", direction = [1, 0, 0], recovered = true }}, \
+                      {{ name = \"s\", of = \"max-principal\", on = \"{clamp}\", recovered = true }}]\n{parts}"
+        )
+    };
+    let [one, other] = [text("u0", "u1", [0.12, -0.004]), text("u1", "u0", [0.08, 0.004])]
+        .map(|text| ran(Scene::parse(&text, "taper.toml")));
+    for found in [&one, &other] {
+        assert!((last(found, "M").abs() / 1e-3 - 1.0).abs() < 1e-8, "{}", last(found, "M"));
+        // 6 M/t² with the thickness that the cells lead to at the clamp, .12.
+        assert!((last(found, "s") / (6e-3 / 0.0144) - 1.0).abs() < 1e-8, "{}", last(found, "s"));
+    }
+}
+
+/// On a fold each sheet has stresses of its own: a column on the line reads both.
+#[test]
+fn a_column_on_a_junction_reads_all_sheets() {
+    let mut mesh = String::from(
+        "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 0 0 1\nv 1 0 1\nv 2 0 1\nv 0 -1 0\nv 1 -1 0\nv 2 -1 0\n",
+    );
+    mesh += "g flange\nf 1 2 5 4\nf 2 3 6 5\nf 10 11 2 1\nf 11 12 3 2\ng web\nf 1 2 8 7\nf 2 3 9 8\n";
+    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("recovered-tee.obj");
+    std::fs::write(&file, mesh).unwrap();
+    let text = format!(
+        "title = \"Tee\"\nunits = {{ length = \"mm\", force = \"N\", time = \"s\" }}\nanalysis.linear = {{}}\ngeometry.mesh.file = {file:?}\n\
+         material.elastic = {{ young = 1000.0, poisson = 0.0, density = 1e-9 }}\nsection.homogeneous.thickness = 0.1\n\
+         supports = [{{ on = \"flange\", clamped = {{}} }}]\nloads = [{{ on = \"top\", force = {{ total = [0, 0, 2.0] }} }}]\n\
+         sets.top.plane = {{ point = [0, 0, 1], normal = [0, 0, 1] }}\nsets.foot.box = {{ min = [0.9, -0.1, -0.1], max = [1.1, 0.1, 0.1] }}\n\
+         curve = [{{ name = \"s\", of = \"max-principal\", on = \"foot\", recovered = true }}]\n"
+    );
+    // 2 N over a width of 2 and a thickness of .1.
+    let found = last(&ran(Scene::parse(&text, "tee.toml")), "s");
+    assert!((found / 10.0 - 1.0).abs() < 1e-8, "{found}");
+}
+
+/// Where the thickness steps a particle has the stress of one side, of the thinner one where both have the same area, not a mean of both.
+#[test]
+fn stresses_at_a_step_are_those_of_the_thinner_side() {
     let steel = "elastic = { young = 210e3, poisson = 0.0, density = 1e-9 }";
     let list = columns(&["name = \"s\"\nof = \"max-principal\"\non = \"all\""]);
     let part = "[[parts]]\non = \"thick\"\nsection.homogeneous.thickness = 1.0\n[sets]\nthick = { box = { min = [-1, -1, -1], max = [5.01, 11, 1] } }\n";
     let text = sheet("section.homogeneous.thickness = 0.5", &pulled(4.0), &list).replace(CARBON, steel)
         + part
         + "[output]\nfields = { recovered = true }\n";
-    let read = frame("step", &text);
-    let (points, stress) = (read.get("Points"), read.get("nodal_stress_top"));
-    for (at, stress) in points.chunks(3).zip(stress.chunks(3)) {
-        let sides: &[f64] = match at[0] {
-            x if x < 4.9 => &[4.0],
-            x if x > 5.1 => &[8.0],
-            _ => &[4.0, 8.0],
-        };
-        assert!(sides.iter().any(|side| (stress[0] - side).abs() < 1e-5), "{at:?}: {stress:?}");
+    let turned = "orientation = { axis = [0.0, 0.0, 1.0], degrees = 37.0 }\n";
+    let [plain, other] = [frame("step", &text), frame("step-turned", &format!("{turned}{text}"))];
+    for (a, at) in plain.get("Points").chunks(3).enumerate() {
+        let side = if at[0] < 4.9 { 4.0 } else { 8.0 };
+        for read in [&plain, &other] {
+            let stress = read.get("nodal_von_mises_top")[a];
+            assert!((stress - side).abs() < 1e-5, "{at:?}: {stress:?}");
+        }
     }
 }

@@ -51,6 +51,18 @@ pub enum ConductionError {
         /// Iterations made.
         iterations: usize,
     },
+    /// A surface that radiates and would be colder than absolute zero.
+    #[error(
+        "particle {particle} would be at {temperature:.6}, below absolute zero, {zero}: more heat is taken off than any temperature gives; see signs, and absolute zero"
+    )]
+    BelowZero {
+        /// The particle.
+        particle: u32,
+        /// Its temperature in balance \[Θ\].
+        temperature: f64,
+        /// Absolute zero \[Θ\].
+        zero: f64,
+    },
     /// A matrix that cannot be solved.
     #[error(transparent)]
     Balance(#[from] EquilibriumError),

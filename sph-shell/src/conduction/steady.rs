@@ -7,6 +7,8 @@ use super::{Conduction, ConductionError, Radiation};
 
 /// Heat that a balance leaves over what runs, sums of magnitudes: thousands of roundings of them.
 const LEFT: f64 = 1e-12;
+/// Roundings of the temperatures themselves that a balance may leave.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Newton's method falls quadratically on a convex function; a start in the wrong units takes some twenty.
 const MOST_ITERATIONS: usize = 100;
 const MOST_HALVINGS: usize = 40;
@@ -43,8 +45,10 @@ pub struct Temperatures {
 pub(super) struct Entering {
     /// In all \[F L/T\]; of held nodes less than what holds them gives.
     pub net: Vec<f64>,
-    /// Sum of the magnitudes of which that is the sum.
+    /// Sum of the magnitudes of which that is the sum, each by a difference of temperatures.
     pub size: Vec<f64>,
+    /// Sum of the magnitudes that temperatures alone would make: what their rounding is a part of.
+    pub level: Vec<f64>,
 }
 
 impl Radiation {
@@ -73,7 +77,8 @@ impl Conduction {
         let mut values = self.start();
         let mut entering = self.entering(&values);
         let mut iterations = 0;
-        while left(&system, &entering) > LEFT {
+        // Where much heat hides little, one solve finds the little.
+        while iterations == 0 || left(&system, &entering) > 1.0 {
             if iterations == MOST_ITERATIONS {
                 return Err(ConductionError::NotFound { iterations });
             }
@@ -94,7 +99,7 @@ impl Conduction {
                 let found = self.entering(&there);
                 if norm(&system, &found.net) < before
                     || halvings == MOST_HALVINGS
-                    || left(&system, &found) <= LEFT
+                    || left(&system, &found) <= 1.0
                 {
                     (values, entering) = (there, found);
                     break;
@@ -102,11 +107,25 @@ impl Conduction {
                 (share, halvings) = (0.5 * share, halvings + 1);
             }
         }
+        if let Some(&(a, own)) = self.radiating.iter().find(|(a, own)| values[*a as usize] < own.zero) {
+            let temperature = values[a as usize];
+            return Err(ConductionError::BelowZero { particle: a, temperature, zero: own.zero });
+        }
         Ok(self.at(&values, &entering, iterations))
     }
 
-    /// Held values where there are some, elsewhere the mean of all temperatures that are given.
+    /// Held values where there are some, elsewhere the mean of all temperatures that are given; of a surface that radiates alone that at which all of it would be
+    /// in balance.
     fn start(&self) -> Vec<f64> {
+        let alone = self.held.iter().all(Option::is_none) && self.film.iter().all(|[by, _]| *by == 0.0);
+        if let Some((_, first)) = self.radiating.first().filter(|_| alone) {
+            let factors: f64 = self.radiating.iter().map(|(_, own)| own.factor).sum();
+            let taken = |(_, own): &(u32, Radiation)| own.factor * (own.surroundings - own.zero).powi(4);
+            let enters: f64 =
+                self.radiating.iter().map(taken).sum::<f64>() + self.supplied.iter().sum::<f64>().max(0.0);
+            let even = first.zero + libm::sqrt(libm::sqrt(enters / factors));
+            return vec![even; self.held.len()];
+        }
         let held = self.held.iter().copied().flatten();
         let ambient = self.film.iter().filter(|[by, _]| *by > 0.0).map(|[by, heat]| heat / by);
         let given: Vec<f64> =
@@ -119,25 +138,29 @@ impl Conduction {
     pub(super) fn entering(&self, values: &[f64]) -> Entering {
         let mut net = self.supplied.clone();
         let mut size: Vec<f64> = self.supplied.iter().map(|heat| heat.abs()).collect();
-        let mut add = |a: u32, heat: f64| {
+        let mut level = vec![0.0; net.len()];
+        let mut add = |a: u32, heat: f64, of_level: f64| {
             net[a as usize] += heat;
             size[a as usize] += heat.abs();
+            level[a as usize] += of_level.abs();
         };
         for cell in &self.cells {
             for (a, row) in cell.entries[..cell.count].iter().enumerate() {
+                // Rows sum to zero: differences of temperatures alone make heat run.
+                let own = values[cell.nodes[a] as usize];
                 for (b, entry) in row[..cell.count].iter().enumerate() {
-                    add(cell.nodes[a], -entry * values[cell.nodes[b] as usize]);
+                    let other = values[cell.nodes[b] as usize];
+                    add(cell.nodes[a], -entry * (other - own), entry * other);
                 }
             }
         }
-        for (a, &[by_degree, heat]) in (0..).zip(&self.film) {
-            add(a, heat);
-            add(a, -by_degree * values[a as usize]);
+        for (a, &[by_degree, heat]) in (0..).zip(&self.film).filter(|(_, [by_degree, _])| *by_degree > 0.0) {
+            add(a, by_degree * (heat / by_degree - values[a as usize]), heat);
         }
         for (a, own) in &self.radiating {
-            own.entering(values[*a as usize]).into_iter().for_each(|heat| add(*a, heat));
+            own.entering(values[*a as usize]).into_iter().for_each(|heat| add(*a, heat, heat));
         }
-        Entering { net, size }
+        Entering { net, size, level }
     }
 
     /// By how much less heat enters each node through its faces, by degree \[F L/(T Θ)\].
@@ -152,7 +175,11 @@ impl Conduction {
         let held: Vec<f64> =
             self.held.iter().zip(&entering.net).map(|(held, net)| held.map_or(0.0, |_| -net)).collect();
         let values: Vec<f64> = self.node.iter().map(|&a| values[a as usize]).collect();
-        let film = self.film.iter().zip(&values).map(|([by_degree, heat], t)| heat - by_degree * t);
+        let through = |([by_degree, heat], t): (&[f64; 2], &f64)| match *by_degree > 0.0 {
+            true => by_degree * (heat / by_degree - t),
+            false => 0.0,
+        };
+        let film = self.film.iter().zip(&values).map(through);
         let radiated =
             self.radiating.iter().map(|(a, own)| own.entering(values[*a as usize]).iter().sum::<f64>());
         // A sum of nothing is −0.
@@ -175,8 +202,9 @@ fn norm(system: &System, numbers: &[f64]) -> f64 {
     system.free.iter().map(|&a| numbers[a as usize].powi(2)).sum::<f64>().sqrt()
 }
 
-/// What is left of the balance of free nodes over what runs; zero where nothing runs.
+/// What is left of the balance of free nodes over what rounding may leave; zero where nothing runs.
 fn left(system: &System, entering: &Entering) -> f64 {
-    let (net, size) = (norm(system, &entering.net), norm(system, &entering.size));
-    if net > 0.0 { net / size } else { 0.0 }
+    let Entering { net, size, level } = entering;
+    let net = norm(system, net);
+    if net > 0.0 { net / (LEFT * norm(system, size) + ROUNDING * norm(system, level)) } else { 0.0 }
 }

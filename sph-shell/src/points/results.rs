@@ -73,6 +73,11 @@ impl Shell {
         self.material.regions.number(point)
     }
 
+    /// Greatest membrane stiffness of the section at a sampling point in any direction \[F/L\].
+    pub fn stretch_stiffness(&self, point: usize) -> f64 {
+        self.material.regions.section(&self.material.section, point).scales().membrane
+    }
+
     /// What each sampling point has gone through, in the order of the reference's `operator.points`, nothing where its section does not yield; empty
     /// where none does.
     pub fn yielded(&self) -> Vec<Yielded> {

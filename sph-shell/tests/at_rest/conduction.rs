@@ -39,6 +39,42 @@ fn on_boundary(x: &Vec3) -> bool {
 /// Rounding: numbers of size ten through a factor of some hundred unknowns.
 const EXACT: f64 = 1e-12;
 
+/// Temperatures may be counted from anywhere: the same heat runs, however little it is beside their level.
+#[test]
+fn a_little_heat_is_found_at_any_level() {
+    let cloud = flat([21, 3], [1.0, 0.2]);
+    let of = |level: f64| {
+        let mut conduction = isotropic(&cloud, 0.2);
+        conduction.hold(&where_(&cloud, |x| x.x == 0.0), level).unwrap();
+        conduction.supply(&[(where_(&cloud, |x| x.x > 1.0 - 1e-9)[0], 1e-8)]);
+        conduction.steady().unwrap()
+    };
+    for level in [0.0, 300.0] {
+        let found = of(level);
+        // 300 goes in steps of 6e-14, what runs by 1e-8 from cell to cell: measured 1.5e-6.
+        assert!((found.balance.held / -1e-8 - 1.0).abs() < 5e-6, "{level}: {:?}", found.balance);
+    }
+}
+
+/// A plate that radiates into empty space, and nothing else, finds the temperature at which it gives off what it is given; one that is drawn more heat than it
+/// has is refused.
+#[test]
+fn a_plate_radiates_into_empty_space() {
+    let cloud = flat([5, 3], [1.0, 0.5]);
+    let all: Vec<(u32, f64)> = (0..cloud.len() as u32).map(|a| (a, 1.0)).collect();
+    let of = |heat: f64| {
+        let mut conduction = isotropic(&cloud, 0.2);
+        conduction.radiate(&all, Radiation { factor: 5.67e-8, surroundings: 0.0, zero: 0.0 });
+        let heat: Vec<(u32, f64)> = all.iter().map(|&(a, _)| (a, heat)).collect();
+        conduction.supply(&heat);
+        conduction.steady()
+    };
+    let found = of(500.0).unwrap();
+    let exact = libm::pow(500.0 / 5.67e-8, 0.25);
+    assert!(found.values.iter().all(|t| (t / exact - 1.0).abs() < 1e-10), "{exact}: {:?}", found.values);
+    assert!(matches!(of(-500.0), Err(ConductionError::BelowZero { .. } | ConductionError::Balance(_))));
+}
+
 #[test]
 fn linear_temperatures_are_exact_on_uneven_cells() {
     let linear = |x: &Vec3| 3.0 + 2.0 * x.x - 5.0 * x.y;

@@ -18,14 +18,14 @@ use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::walls::{BuiltWalls, Corner, rows};
 use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::memory::check_memory;
-use crate::bodies::refusal::model_error;
+use crate::bodies::refusal::{body_error, model_error};
 use crate::bodies::together::{
     self, AllLinks, BetweenBodies, OnTool, SetsOfBodies, Side, TouchingBodies, contacts, on_tools,
 };
 use crate::bodies::{BuiltBody, Description, Memory, Model, Ready};
 use crate::scene::body_in_scene::{BodyInScene, gravity_on};
 use crate::scene::error::SceneError;
-use crate::scene::{Analysis, BodyScene, Coupling, CouplingOrder, FluidScene};
+use crate::scene::{Analysis, BodyScene, Coupling, CouplingOrder, FluidScene, WallsScene};
 use crate::warning::{Warning, WarningKind};
 
 /// Builds a fluid with its walls and the structures in it.
@@ -158,11 +158,21 @@ fn coupled_walls<'a>(
         let BodyScene::Walls(scene) = view.body else { continue };
         let mut rows = rows(view, scene, fluid.geometry.spacing(), deep)?;
         if let Some(periodic) = &fluid.periodic {
-            rows.cut(periodic, fluid.geometry.spacing());
+            rows.cut(periodic, fluid.geometry.spacing()).map_err(|lost| beyond_sides(view, scene, &lost))?;
         }
         all.push(BuiltWalls { view, scene, rows });
     }
     Ok(all)
+}
+
+/// A wall beyond periodic sides that is no part of what goes on through them.
+fn beyond_sides(view: &BodyInScene<'_>, walls: &WallsScene, lost: &Vec3) -> SceneError {
+    let what = format!(
+        "it stands at [{:.4}, {:.4}, {:.4}], beyond a periodic side of the fluid, and where that comes in by the opposite side it has no wall; give all of it \
+         between the sides, what goes through one in two pieces",
+        lost.x, lost.y, lost.z
+    );
+    body_error(view, &format!("geometry.{}", walls.geometry.word()), &what)
 }
 
 /// The fluid between its walls and around structures.

@@ -1,5 +1,6 @@
 //! The rows of particles of walls, as a fluid takes them: a piece for each side of a basin, else one.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use mesh_io::surface::read;
@@ -17,6 +18,9 @@ use crate::scene::{Basin, Obstacle, PeriodicSides, WallGeometry, WallSurface, Wa
 
 /// Part of a spacing behind a face up to which a particle belongs to the first row.
 const FIRST: f64 = 0.75;
+
+/// Distance in spacings within which a wall that comes in through a side stands where one is.
+const NEAR: f64 = 0.6;
 
 /// A part of the walls of a body, of which the force is distinguished.
 #[derive(Clone, Debug, Default)]
@@ -64,21 +68,73 @@ pub(in crate::bodies) struct Rows {
 }
 
 impl Rows {
-    /// Leaves out what stands beyond periodic sides: it comes in by the opposite ones, where there is a wall already. A particle on both sides
-    /// is one.
-    pub fn cut(&mut self, periodic: &PeriodicSides, spacing: f64) {
+    /// Leaves out what stands beyond periodic sides, where the wall that comes in by the opposite ones stands already; a particle on both sides is one.
+    ///
+    /// # Errors
+    /// A place beyond the sides whose image in the box has no wall.
+    pub fn cut(&mut self, periodic: &PeriodicSides, spacing: f64) -> Result<(), Vec3> {
+        let sides = periodic.sides();
+        let rounding = 1e-6 * spacing;
         let beyond = |x: &Vec3| {
-            let rounding = 1e-6 * spacing;
             let out = |(axis, sides): (usize, &Option<[f64; 2]>)| {
                 sides.is_some_and(|[low, high]| x[axis] < low - rounding || x[axis] >= high - rounding)
             };
-            periodic.sides().iter().enumerate().any(out)
+            sides.iter().enumerate().any(out)
         };
+        let all = || self.pieces.iter().flat_map(|piece| &piece.points);
+        let inside: HashMap<[i64; 3], Vec<Vec3>> =
+            all().filter(|x| !beyond(x)).fold(HashMap::new(), |mut map, x| {
+                map.entry(place(x, spacing)).or_default().push(*x);
+                map
+            });
+        let image = |x: &Vec3| {
+            let along = |axis: usize| match sides[axis] {
+                Some([low, high]) => {
+                    x[axis] - libm::floor((x[axis] - low + rounding) / (high - low)) * (high - low)
+                }
+                None => x[axis],
+            };
+            Vec3::new(along(0), along(1), along(2))
+        };
+        let away = |way: Vec3| {
+            let along = |axis: usize| match sides[axis] {
+                Some([low, high]) => way[axis] - (high - low) * libm::round(way[axis] / (high - low)),
+                None => way[axis],
+            };
+            Vec3::new(along(0), along(1), along(2)).norm()
+        };
+        // Near a side the other row stands a period away.
+        let stands = |x: &Vec3| {
+            let near = |at: Vec3| {
+                let [i, j, k] = place(&at, spacing);
+                let cells = (-1..=1).flat_map(move |a| {
+                    (-1..=1).flat_map(move |b| (-1..=1).map(move |c| [i + a, j + b, k + c]))
+                });
+                cells.filter_map(|cell| inside.get(&cell)).flatten().any(|y| away(x - y) < NEAR * spacing)
+            };
+            let shifts = |axis: usize| match sides[axis] {
+                Some([low, high]) => vec![0.0, high - low, low - high],
+                None => vec![0.0],
+            };
+            let [x_shifts, y_shifts, z_shifts] = [0, 1, 2].map(shifts);
+            x_shifts
+                .iter()
+                .any(|&a| y_shifts.iter().any(|&b| z_shifts.iter().any(|&c| near(x + Vec3::new(a, b, c)))))
+        };
+        if let Some(lost) = all().find(|x| beyond(x) && !stands(&image(x))) {
+            return Err(*lost);
+        }
         let mut numbers = Vec::new();
         for Piece { points, first, .. } in &mut self.pieces {
             let kept: Vec<bool> = points.iter().map(|x| !beyond(x)).collect();
-            let number = |a: usize| kept[a].then(|| kept[..a].iter().filter(|kept| **kept).count());
-            numbers.push((0..kept.len()).map(number).collect::<Vec<_>>());
+            let mut next = 0;
+            let number = |kept: &bool| {
+                kept.then(|| {
+                    next += 1;
+                    next - 1
+                })
+            };
+            numbers.push(kept.iter().map(number).collect::<Vec<_>>());
             let mut each = kept.iter();
             points.retain(|_| each.next() == Some(&true));
             let mut each = kept.iter();
@@ -89,7 +145,13 @@ impl Rows {
             corner.particle = number.unwrap_or_default();
             number.is_some()
         });
+        Ok(())
     }
+}
+
+/// The cell of a grid of a spacing in which a place lies.
+fn place(x: &Vec3, spacing: f64) -> [i64; 3] {
+    [0, 1, 2].map(|axis| libm::floor(x[axis] / spacing) as i64)
 }
 
 /// Walls of one body with their rows.

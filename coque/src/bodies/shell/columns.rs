@@ -9,7 +9,7 @@ use super::build::Builder;
 use super::cells::CellSets;
 use crate::bodies::Probe;
 use crate::bodies::plies::{OfPlies, Plies};
-use crate::bodies::recovered::{Share, recovery};
+use crate::bodies::recovered::{Share, recovery, section};
 use crate::bodies::sampled::{PointAtRest, Sampled};
 use crate::bodies::sets::{self, Sets};
 use crate::scene;
@@ -29,10 +29,8 @@ impl Builder<'_> {
             let in_cells =
                 column.of.is_of_strains() && matches!(shell.formulation(), Formulation::StressPoint(_));
             if column.recovered {
-                let cloud = &shell.reference().cloud;
-                let particles: Vec<u32> =
-                    sets::places(cloud, sets.at(self.scene, &path, column.on)?).collect();
-                return self.at_particles(column, &particles, shell);
+                // On a junction each sheet has its own stress: all particles of a place count.
+                return self.at_particles(column, sets.at(self.scene, &path, column.on)?, shell);
             }
             let on = match in_cells {
                 true => cells.at(&path, column.on)?,
@@ -68,9 +66,7 @@ impl Builder<'_> {
         let cloud = &shell.reference().cloud;
         let at_rest = |(&a, own): (&u32, &Vec<Share>)| {
             let along = self.in_surface(column, &cloud.frames[a as usize], &cloud.positions[a as usize])?;
-            let section = own.first().map(|share| shell.section_at(share.cell as usize));
-            let section = section.map_or([shell.thickness(), 0.0], |own| [own.thickness, own.height]);
-            Ok(PointAtRest { along, section, area: 0.0, initial: [0.0; 6] })
+            Ok(PointAtRest { along, section: section(shell, own), area: 0.0, initial: [0.0; 6] })
         };
         let points = particles.iter().zip(&shares).map(at_rest).collect::<Result<_, SceneError>>()?;
         let recovered = shares.into_iter().map(of_cells).collect();

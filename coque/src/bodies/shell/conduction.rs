@@ -58,7 +58,8 @@ impl Builder<'_> {
         if let Some(flow) = own.flow {
             let shares = match edge(shell, on, particles) {
                 Some(lengths) => lengths,
-                None => areas().unwrap_or_else(|_| particles.iter().map(|&a| (a, 1.0)).collect()),
+                None => areas()
+                    .unwrap_or_else(|_| sets::places(shell.cloud, particles).map(|a| (a, 1.0)).collect()),
             };
             let whole: f64 = shares.iter().map(|(_, share)| share).sum();
             let heat: Vec<_> = shares.into_iter().map(|(a, share)| (a, flow * share / whole)).collect();

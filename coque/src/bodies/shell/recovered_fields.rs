@@ -7,7 +7,7 @@ use sph_core::Vec3;
 
 use super::stress_fields::Stressed;
 use crate::bodies::invariants::{principal, von_mises};
-use crate::bodies::recovered::{Share, recovery};
+use crate::bodies::recovered::{Share, recovery, section};
 use crate::bodies::sampled::face_stress;
 use crate::scene::ShellFace;
 use crate::scene::units::Quantity;
@@ -69,13 +69,12 @@ impl Stressed<'_> {
     }
 
     fn nodal(&self, shares: &[Share]) -> Nodal {
-        let section = shares.first().map(|share| self.shell.section_at(share.cell as usize));
         let mut own = Nodal {
             force: [0.0; 3],
             moment: [0.0; 3],
             shear_force: [0.0; 2],
             t1: Vec3::zeros(),
-            section: section.map_or([1.0, 0.0], |section| [section.thickness, section.height]),
+            section: section(self.shell, shares),
         };
         for share in shares {
             let cell = &self.results[share.cell as usize];

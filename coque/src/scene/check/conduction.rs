@@ -141,6 +141,8 @@ fn check_without_mechanics(scene: &BodyInScene<'_>, shell: &ShellScene) -> Verdi
         ("loads", scene.loads.is_empty()),
         ("initial_stress", shell.initial_stress.is_empty()),
         ("tools", shell.tools.is_empty()),
+        ("masses", shell.masses.is_empty()),
+        ("rigid", shell.rigid.is_empty()),
     ];
     let Some((key, _)) = found.into_iter().find(|(_, none)| !none) else { return Ok(()) };
     let s = if matches!(key, "supports" | "loads") { scene.scope() } else { scene.body_scope() };

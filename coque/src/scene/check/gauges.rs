@@ -1,5 +1,7 @@
 //! Checks of gauges: points at which a fluid is looked at, sections through which it flows.
 
+use sph_core::Vec3;
+
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::curve::{Measured, Probe};
 use crate::scene::error::{SceneError, Verdict};
@@ -93,6 +95,29 @@ fn check_section(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> V
         let repair = "set its third component to zero: a plane fluid flows in its plane";
         let value = format!("{:?}", through.normal);
         return Err(s.value(&probe.at("through.normal"), value, "in the plane of x and y", repair));
+    }
+    if let BodyScene::Fluid(fluid) = body
+        && probe.of == Measured::Flux
+        && let Some(periodic) = &fluid.periodic
+    {
+        let normal = Vec3::from(through.normal).normalize();
+        let slanted = |axis: &usize| {
+            let part = normal[*axis].abs();
+            periodic.sides()[*axis].is_some() && part > 0.0 && part < 1.0 - 1e-12
+        };
+        if let Some(axis) = (0..3).find(slanted) {
+            let name = ["x", "y", "z"][axis];
+            let bound = format!(
+                "along {name}, along which the fluid is periodic, or across it: a slanted section ends at a side"
+            );
+            let repair = format!("take the axis {name} itself, or one across it");
+            return Err(s.value(
+                &probe.at("through.normal"),
+                format!("{:?}", through.normal),
+                &bound,
+                &repair,
+            ));
+        }
     }
     let (min, max) = (through.min, through.max);
     for (key, bounds) in [("min", min), ("max", max)] {

@@ -53,6 +53,13 @@ fn check_place(s: &Scope<'_>, fluid: &FluidScene, current: &Current) -> Verdict 
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
         let Some([low, high]) = sides[axis] else { continue };
         let rounding = 1e-9 * (high - low);
+        if along[axis] != 0.0 && along[axis].abs() < 1.0 - 1e-12 {
+            let bound = format!(
+                "along {name}, along which the fluid is periodic, or across it: a slanted zone would end at its sides"
+            );
+            let repair = format!("take the axis {name} itself, or one across it");
+            return Err(s.value("current.along", format!("{:?}", current.along), &bound, &repair));
+        }
         let inside = |at: &Vec3| (low - rounding..=high + rounding).contains(&at[axis]);
         if along[axis] != 0.0 && !(inside(&from) && inside(&to)) {
             let value = format!("{:?}, of a zone that ends at {:?}", current.from, <[f64; 3]>::from(to));
@@ -72,7 +79,15 @@ fn check_place(s: &Scope<'_>, fluid: &FluidScene, current: &Current) -> Verdict 
     let meets = fluid.geometry.extents().iter().any(|extent| {
         let first = span(&f64::min, &extent.least, &extent.lengths);
         let last = span(&f64::max, &extent.least, &extent.lengths);
-        from.dot(&along) < last - half && to.dot(&along) > first + half
+        // Water may be given periods away.
+        let period = sides.iter().zip(along.iter()).find(|(sides, part)| sides.is_some() && **part != 0.0);
+        let period = period.and_then(|(sides, _)| *sides).map_or(0.0, |[low, high]| high - low);
+        let (begin, end) = (from.dot(&along), to.dot(&along));
+        let shifts = if period > 0.0 { libm::round((0.5 * (first + last) - begin) / period) } else { 0.0 };
+        [-1.0, 0.0, 1.0].into_iter().any(|more| {
+            let by = (shifts + more) * period;
+            begin + by < last - half && end + by > first + half
+        })
     });
     if meets {
         return Ok(());
