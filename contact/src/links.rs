@@ -119,7 +119,7 @@ impl Links {
     pub fn fastest(&self, masses: &[f64]) -> f64 {
         let mut sums = vec![0.0; masses.len()];
         for Link { reach, curve, share } in &self.links {
-            reach.bound(self.curves[*curve].steepest() * share, masses, &mut sums);
+            reach.bound(self.curves[*curve].pace() * share, masses, &mut sums);
         }
         sums.into_iter().fold(0.0, f64::max)
     }
@@ -213,7 +213,7 @@ mod tests {
     #[test]
     fn the_bound_lies_above_the_frequency_of_two_masses() {
         let reach = Reach { near: 0, far: Far::Place(1), span: Span::Length(1.0) };
-        let curve = ForceCurve::spring(4.0, Bears::Tension, 0.0);
+        let curve = ForceCurve::spring(4.0, Bears::Both, 0.0);
         let links = Links::new(
             vec![Link { reach, curve: 0, share: 0.25 }],
             vec![curve],

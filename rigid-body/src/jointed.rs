@@ -32,6 +32,8 @@ const ROUNDS: usize = 50;
 const SWEEPS: usize = 10_000;
 /// What rounding leaves of a constraint, over its size.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Part of its size by which a joint may be missed.
+const MISSED: f64 = 1e-7;
 /// Eigenvalues of the constraints, scaled, below which one follows from others, over the greatest.
 const FOLLOWS: f64 = 1e-11;
 
@@ -134,6 +136,8 @@ pub struct Joints {
     constraints: Vec<([Option<usize>; 2], Constraint)>,
     /// What they exert on each body in this step, and its velocity and moment of momentum before it.
     exerted: Vec<(Wrench, [Vec3; 2])>,
+    /// By how much the joints were missed at the end of the last step, over their size.
+    missed: f64,
 }
 
 impl Joints {
@@ -231,6 +235,7 @@ impl Joints {
             let missed = DVector::from_iterator(values.len(), values.iter().map(|[value, _]| *value));
             impulses -= &flexible * missed / span;
         }
+        self.missed = last;
         let wrenches = self.on_bodies(&rows, &found, frames.len());
         self.exerted.clear();
         for (body, impulse) in bodies.iter_mut().zip(wrenches) {
@@ -254,7 +259,13 @@ impl Joints {
         self.exerted.get(body).map_or([Vec3::zeros(); 2], |(force, _)| [force.force, force.moment])
     }
 
-    /// `(G M⁻¹ Gᵀ)⁺`, of scaled constraints.
+    /// By how much joints were missed at the end of the last step, over their size, beyond what the solution leaves: supports say otherwise. None where they hold.
+    pub fn missed(&self) -> Option<f64> {
+        // What is no number is missed as well.
+        (self.missed > MISSED || self.missed.is_nan()).then_some(self.missed)
+    }
+
+    /// `(G M⁻¹ Gᵀ)⁺`, of scaled constraints; what supports hold of a body gives no way to a constraint.
     fn flexible(&self, bodies: &[&mut RigidBody], rows: &[[Wrench; 2]]) -> DMatrix<f64> {
         let count = rows.len();
         let mut all = DMatrix::<f64>::zeros(count, count);
@@ -268,7 +279,15 @@ impl Joints {
                 own.iter().for_each(|(j, right)| all[(*i, *j)] += left.dot(right));
             }
         }
-        let scale = DVector::from_iterator(count, (0..count).map(|i| inverse(all[(i, i)].sqrt())));
+        let mut whole = vec![0.0; count];
+        for (i, (of, _)) in self.constraints.iter().enumerate() {
+            for (of, row) in of.iter().zip(&rows[i]) {
+                whole[i] += of.map_or(0.0, |body| bodies[body].yields_to(row));
+            }
+        }
+        let scale =
+            |i: usize| if all[(i, i)] > FOLLOWS * whole[i] { inverse(all[(i, i)].sqrt()) } else { 0.0 };
+        let scale = DVector::from_iterator(count, (0..count).map(scale));
         for i in 0..count {
             (0..count).for_each(|j| all[(i, j)] *= scale[i] * scale[j]);
         }

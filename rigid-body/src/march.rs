@@ -205,6 +205,12 @@ impl RigidBody {
         stacked(&place, &self.free_scaled(own.component_div(&self.moments.map(f64::sqrt))))
     }
 
+    /// How far it would give way to a wrench of this size by itself, without supports: the square of what that is in mass-scaled motions.
+    pub(crate) fn yields_to(&self, wrench: &Wrench) -> f64 {
+        let own = self.motion.turn.axes().tr_mul(&wrench.moment);
+        wrench.force.norm_squared() / self.mass + own.component_mul(&own).component_div(&self.moments).sum()
+    }
+
     /// What supports leave of a mass-scaled turn.
     fn free_scaled(&self, turn: Vec3) -> Vec3 {
         match self.hold.rotation {

@@ -13,6 +13,9 @@ use crate::run::outcome::Ended;
 use crate::run::vibration_summary::VibrationSummary;
 use crate::scene::{Checked, SpectrumAnalysis};
 
+/// Part of the acceleration of the ground by which a spectrum may differ from it where modes go with it.
+const WITH_THE_GROUND: f64 = 0.01;
+
 /// Finds the answers to each base and to all of them. The analysis is that of the body, whose bases have its axes.
 pub(super) fn response_spectrum(
     scene: &Checked,
@@ -40,7 +43,8 @@ pub(super) fn response_spectrum(
         let spectrum = base.spectrum();
         let levels = levels(&spectrum, &swings, number, run);
         let ground = if wanted.missing_mass { spectrum.of_ground() } else { 0.0 };
-        let greatest = Greatest { found: &found, source, swings: &swings, levels: &levels, ground };
+        let rigid = rigid_from(&spectrum, &levels);
+        let greatest = Greatest { found: &found, source, swings: &swings, levels: &levels, rigid, ground };
         let (peaks, rest) = greatest.columns(run);
         let one = &mut summary.bases[number];
         let (size, columns) = (source.shakes.as_ref().map_or(1.0, |shaking| shaking.size), rest.len());
@@ -50,7 +54,7 @@ pub(super) fn response_spectrum(
         }
         one.ground = Some(size * spectrum.of_ground());
         one.missing_mass = if wanted.missing_mass { rest.clone() } else { Vec::new() };
-        let values = peaks.iter().zip(&rest).map(|(peaks, rest)| together.of(peaks, *rest)).collect();
+        let values = (0..columns).map(|c| greatest.of_column(&together, c, &peaks[c], rest[c])).collect();
         let [motion, forces] = [greatest.motion(&together), greatest.forces(&together)];
         answers.push(Answer { values, motion, forces });
     }
@@ -118,6 +122,17 @@ fn levels(spectrum: &ResponseSpectrum, swings: &[[f64; 2]], number: usize, run: 
     levels
 }
 
+/// The first of the modes, by ascending frequency, that are so stiff that they go with the ground: the spectrum has its number there, to a hundredth, and at all
+/// stiffer ones. Of a spectrum that is one number everywhere none does: it is that of some plateau.
+fn rigid_from(spectrum: &ResponseSpectrum, levels: &[f64]) -> usize {
+    let ground = spectrum.of_ground();
+    let near = |level: &f64| (level - ground).abs() <= WITH_THE_GROUND * ground;
+    if spectrum.is_flat() {
+        return levels.len();
+    }
+    levels.len() - levels.iter().rev().take_while(|level| near(level)).count()
+}
+
 /// What a base makes of modes.
 struct Greatest<'a> {
     found: &'a ShakenModes,
@@ -126,6 +141,8 @@ struct Greatest<'a> {
     swings: &'a [[f64; 2]],
     /// Numbers of the spectrum.
     levels: &'a [f64],
+    /// First of the modes that go with the ground: all of these are met at once, with what modes leave out, and add up with their signs.
+    rigid: usize,
     /// That of the ground, zero where what modes leave out is not added.
     ground: f64,
 }
@@ -167,6 +184,22 @@ impl Greatest<'_> {
         (peaks, rest)
     }
 
+    /// The whole of a column; rates of what goes with the ground are combined as those of the others.
+    fn of_column(&self, together: &ModesTogether, column: usize, peaks: &[f64], rest: f64) -> f64 {
+        match self.found.reader.kinds()[column] {
+            Kind::Rate => together.of(peaks, rest),
+            Kind::Motion | Kind::Acceleration | Kind::Force => self.whole(together, peaks, rest),
+        }
+    }
+
+    /// Modes that swing by their rule; those that go with the ground are one with what modes leave out.
+    fn whole(&self, together: &ModesTogether, peaks: &[f64], rest: f64) -> f64 {
+        let mut swinging = peaks.to_vec();
+        let rigid: f64 = swinging[self.rigid..].iter().sum();
+        swinging[self.rigid..].fill(0.0);
+        together.of(&swinging, rest + rigid)
+    }
+
     /// The greatest of each unknown.
     fn motion(&self, together: &ModesTogether) -> Vec<f64> {
         let shapes: Vec<&[f64]> = self.source.reduced.shapes().collect();
@@ -186,7 +219,7 @@ impl Greatest<'_> {
         let one = |i: usize| {
             let peaks: Vec<f64> = (0..modes).map(|n| along[n][i] * at_rest[n] * self.levels[n]).collect();
             let left = along.get(modes).map_or(0.0, |own| own[i] * at_rest[modes]);
-            together.of(&peaks, self.ground * (left + load[i]))
+            self.whole(together, &peaks, self.ground * (left + load[i]))
         };
         (0..load.len()).map(one).collect()
     }

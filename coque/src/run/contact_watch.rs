@@ -87,7 +87,8 @@ impl ContactWatch {
         let messages: Vec<String> =
             found.contacts.iter().filter_map(|own| coarse_contact(own, by_levels)).collect();
         messages.into_iter().for_each(|message| found.warn(WarningKind::CoarseContact, message));
-        if let Some(ShortenedSummary { steps, least, time }) = found.shortened.filter(|own| own.least < SHORT)
+        if let Some(ShortenedSummary { steps, least, time }) =
+            found.shortened.filter(|own| own.least < SHORT && !found.contacts.is_empty())
         {
             let message = format!(
                 "contact made {steps} of {} steps shorter, at time {time} down to {least:.2e} of what the bodies alone would take: \

@@ -140,7 +140,7 @@ const SPECTRA: [(&str, &str); 3] = [
         "analysis",
         "{ response-spectrum = { modes = 9, damping.ratio = 0.05, base = [\
          { acceleration = [0.1, 0.5, 1.0], by = \"period\", amplitude = { table = [[0, 1.0]] } }, \
-         { acceleration = [0.0, -2.0, 0.3], by = \"period\", amplitude = { table = [[0, 0.7]] } }] } }",
+         { acceleration = [0.0, -2.0, 1.0], by = \"period\", amplitude = { table = [[0, 0.7]] } }] } }",
     ),
 ];
 

@@ -160,3 +160,25 @@ fn deep_stiffeners_are_warned_of() {
         assert_eq!(found, warned, "{deep}: {:?}", model.warnings());
     }
 }
+
+/// What a bar would lose, or a column would mix, is refused: inertia on what follows others, weight of a part, places of no bar or of two.
+#[test]
+fn what_bars_would_lose_is_refused() {
+    let said = |text: &str| {
+        let found = Scene::parse(text, "scene.toml").and_then(|scene| scene.build(1).map(|_| ()));
+        found.map_or_else(|error| error.to_string(), |()| String::new())
+    };
+    let modal = strip(THIN, &format!("{RIB}\nrigid = [{{ on = \"u1\" }}]"))
+        .replace("static = {", "modal = { modes = 1 }\n# {")
+        + LINE;
+    if modal.contains("modal") {
+        assert!(said(&modal).contains("would lose the inertia of the bar"), "{}", said(&modal));
+    }
+    let part = ribbed("gravity = { acceleration = [0, 0, -1] }");
+    assert!(said(&part).contains("leaves their weight out"), "{}", said(&part));
+    let read = |on: &str| {
+        ribbed("force = { total = [0.0, 0.0, 1.0] }")
+            + &format!("[[curve]]\nname = \"N\"\nof = \"bar-force\"\non = \"{on}\"\n")
+    };
+    assert!(said(&read("all")).contains("no stiffener runs"), "{}", said(&read("all")));
+}

@@ -154,3 +154,29 @@ fn what_a_joint_cannot_be_is_refused() {
     );
     insta::assert_snapshot!(said);
 }
+
+/// A support that moves a body out of its joint: the run ends and names the joints, at once. One that agrees with a slider lets it go.
+#[test]
+fn supports_and_joints_hold_together_or_say_so() {
+    let scene = |supports: &str, joint: &str| {
+        format!(
+            "title = \"Held\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\n\
+             analysis.explicit.transient = {{ duration = 0.2, record_every = 0.02 }}\n\
+             curve = [{{ name = \"x\", of = \"displacement\", on = \"a.all\", direction = [1, 0, 0] }}]\n\
+             supports = {supports}\njoints = [{{ on = \"a\", at = [0, 0, 0], {joint} }}]\n[bodies.a.rigid]\n\
+             geometry.box = {{ min = [-0.1, -0.1, -0.1], max = [0.1, 0.1, 0.1], spacing = 0.1 }}\nmass = 2.0\n"
+        )
+    };
+    let moved = |v: &str| {
+        format!(
+            "{{ on = \"a.all\", moved = {{ direction = {v}, by = 0.05 }}, amplitude = {{ smooth = 0.2 }} }}"
+        )
+    };
+    let against = overridden(&scene(&format!("[{}]", moved("[1, 0, 0]")), "ball = {}"), "held.toml", &[]);
+    let outcome = against.unwrap().build(1).unwrap().run(&mut coque::Silent);
+    assert!(outcome.summary.ended.contains("the gap of [[joints]]"), "{}", outcome.summary.ended);
+    let held = "{ on = \"a.all\", held = { displacement = [[0.8, -0.6, 0.0], [0.0, 0.0, 1.0]] } }";
+    let along = scene(&format!("[{held}, {}]", moved("[0.6, 0.8, 0.0]")), "slider.axis = [0.6, 0.8, 0.0]");
+    let found = column(&ran(overridden(&along, "held.toml", &[])), "x");
+    assert!((found.last().unwrap() - 0.03).abs() < 1e-9, "{found:?}");
+}

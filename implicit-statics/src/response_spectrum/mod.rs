@@ -90,6 +90,13 @@ impl ResponseSpectrum {
         self.curves.iter().map(end).fold(0.0, f64::max)
     }
 
+    /// Whether it is one number, whatever the oscillator.
+    pub fn is_flat(&self) -> bool {
+        let ground = self.of_ground();
+        let mut points = self.curves.iter().flat_map(|(_, points)| points);
+        self.by != SpectrumBy::Time && points.all(|point| point[1] == ground)
+    }
+
     fn between(&self, points: &[[f64; 2]], x: f64) -> f64 {
         let next = points.partition_point(|point| point[0] < x);
         let (Some([x1, y1]), Some([x0, y0])) =

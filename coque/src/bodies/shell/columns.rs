@@ -1,6 +1,6 @@
 //! The columns of a curve on a shell: on its particles, or where its strains are sampled.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use sph_core::{Frame, Vec3};
 use sph_shell::{Formulation, Shell};
@@ -40,6 +40,9 @@ impl Builder<'_> {
                     sets::places(cloud, sets.at(self.scene, &path, column.on)?).collect()
                 }
             };
+            if matches!(column.of, Measured::BarForce | Measured::BarMoment) {
+                self.refuse_unbarred(column, &on, shell)?;
+            }
             // Only a number leaves out its direction.
             let direction = column.direction.map_or_else(Vec3::zeros, |v| self.turned(v).normalize());
             let sampled =
@@ -49,6 +52,30 @@ impl Builder<'_> {
             Ok(Probe { about, sampled, ..probe })
         };
         self.scene.curve.iter().map(probe).collect()
+    }
+
+    /// A bar is read at particles of its own line, where no other one runs.
+    fn refuse_unbarred(
+        &self,
+        column: &OnSet<'_, scene::Probe>,
+        particles: &[u32],
+        shell: &Shell,
+    ) -> Result<(), SceneError> {
+        let mut at = BTreeMap::<u32, BTreeSet<usize>>::new();
+        for piece in shell.bar_forces() {
+            piece.ends.iter().for_each(|&end| {
+                at.entry(end).or_default().insert(piece.stiffener);
+            });
+        }
+        let bars = |a: &&u32| at.get(*a).map_or(0, BTreeSet::len);
+        let Some(particle) = particles.iter().find(|a| bars(a) != 1) else { return Ok(()) };
+        let x = self.turn_back(&shell.rest_position(*particle as usize));
+        let found = if bars(&particle) == 0 { "no stiffener runs" } else { "several stiffeners run" };
+        let bound =
+            format!("a set of places of one stiffener: at [{:.4}, {:.4}, {:.4}] {found}", x.x, x.y, x.z);
+        let repair = "take particles of its line, off the places where others cross it";
+        let value = format!("\"{}\"", column.on);
+        Err(SceneError::Set(self.scene.source.fault(&column.at("on"), &value, &bound, repair)))
     }
 
     /// A column of values at particles, from those of the cells round them.

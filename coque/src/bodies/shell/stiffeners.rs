@@ -5,9 +5,45 @@ use sph_shell::Stiffener;
 use super::bars::bar_of;
 use super::build::Builder;
 use crate::bodies::sets::Sets;
+use crate::scene::Analysis;
 use crate::scene::error::SceneError;
 
 impl Builder<'_> {
+    /// Where inertia counts, bars give none to particles that follow others: those of rigid sets and of tied edges.
+    fn refuse_hung(&self, sets: &Sets, path: &str, on: &str, particles: &[u32]) -> Result<(), SceneError> {
+        let analysis = &self.scene.analysis;
+        let in_time = matches!(analysis, Analysis::Explicit(own) if own.transient.is_some());
+        if !(in_time || analysis.swings() || matches!(analysis, Analysis::Modal(_))) {
+            return Ok(());
+        }
+        let scope = self.scene.body_scope();
+        let shell = self.scene.shell;
+        let rigid =
+            shell.rigid.iter().enumerate().map(|(k, own)| (format!("rigid[{k}].on"), &own.on, "a rigid set"));
+        let tied = shell
+            .ties
+            .iter()
+            .enumerate()
+            .map(|(k, own)| (format!("ties[{k}].edge"), &own.edge, "a tied edge"));
+        for (key, set, what) in rigid.chain(tied) {
+            let members = sets.at(self.scene, &scope.path(&key), set)?;
+            if particles.iter().any(|a| members.contains(a)) {
+                let bound = format!(
+                    "no line with particles of {what} in {}, which would lose the inertia of the bar about it",
+                    analysis.kind().name
+                );
+                let repair = "end the stiffener before it, or lay it on the sheet to which the edge is tied";
+                return Err(SceneError::Set(self.scene.source.fault(
+                    path,
+                    &format!("\"{on}\""),
+                    &bound,
+                    repair,
+                )));
+            }
+        }
+        Ok(())
+    }
+
     /// Bars along lines, in the order of the scene.
     ///
     /// # Errors
@@ -18,6 +54,7 @@ impl Builder<'_> {
         for (i, stiffener) in shell.stiffeners.iter().enumerate() {
             let path = self.scene.body_scope().path(&format!("stiffeners[{i}].on"));
             let particles = sets.at(self.scene, &path, &stiffener.on)?.to_vec();
+            self.refuse_hung(sets, &path, &stiffener.on, &particles)?;
             all.extend(bar_of(stiffener, shell).map(|bar| Stiffener { particles, ..bar }));
         }
         Ok(all)

@@ -2,7 +2,7 @@
 
 use std::any::Any;
 
-use explicit_dynamics::{Dynamics, Step, Work};
+use explicit_dynamics::{Dynamics, OutOfBounds, OutOfRange, Step, Work};
 use rigid_body::{Joint, JointKind, Joints, RigidBody};
 use sph_core::Vec3;
 
@@ -47,6 +47,17 @@ impl JointedBodies {
     pub fn line(scene: &Scene) -> Option<String> {
         let count = scene.joints.len();
         (count > 0).then(|| format!("joints of rigid bodies: {count}, exact constraints in every step"))
+    }
+
+    /// Refuses a state that the joints do not hold.
+    pub fn held(&self) -> Result<(), OutOfBounds> {
+        let Some(missed) = self.joints.missed() else { return Ok(()) };
+        Err(OutOfBounds::Range(OutOfRange {
+            place: "[[joints]]".into(),
+            what: "the gap",
+            value: missed,
+            bound: "zero: supports of a body, or other joints, say otherwise than one of them".into(),
+        }))
     }
 
     /// The kick of all bodies, whose forces are evaluated, with what the joints exert.

@@ -76,7 +76,7 @@ impl BetweenBodies {
             let (on, to) = (format!("{}.on", joint.path), format!("{}.spring.to", joint.path));
             let ends = places(scene, &on, joint.ends[0], layout, sets)?;
             let others = places(scene, &to, joint.ends[1], layout, sets)?;
-            refuse_moved(scene, [&ends, &others], layout, sets)?;
+            refuse_moved(scene, "a spring between bodies", [&ends, &others], layout, sets)?;
             let found = paired(scene, &to, joint.ends[1], [&ends, &others], layout)?;
             let each = joint.spring.stiffness.get() / found.len() as f64;
             let direction = Vec3::from(joint.spring.direction.unwrap_or_default()).normalize();
@@ -173,8 +173,9 @@ pub(super) fn paired(
 }
 
 /// Without time no end may be moved by a support: answers are differentiated by the level at fixed unknowns.
-fn refuse_moved(
+pub(super) fn refuse_moved(
     scene: &Scene,
+    what: &str,
     ends: [&[u32]; 2],
     layout: &Layout,
     sets: &SetsOfBodies,
@@ -184,7 +185,7 @@ fn refuse_moved(
     }
     let Some((path, on)) = moved_on(scene, ends, layout, sets)? else { return Ok(()) };
     let bound = format!(
-        "whose places hang on a spring between bodies, which {} has on places that no support moves",
+        "whose places hang on {what}, which {} has on places that no support moves",
         scene.analysis.kind().name
     );
     let repair = "move another set, or use [analysis.explicit]";

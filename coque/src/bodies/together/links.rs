@@ -6,7 +6,7 @@ use contact::{Bears, Dashpot, Dashpots, Far, ForceCurve, Link, Links, Reach, Spa
 use explicit_dynamics::Instant;
 use sph_core::Vec3;
 
-use super::joints::{SetsOfBodies, moved_on, paired, places};
+use super::joints::{SetsOfBodies, paired, places, refuse_moved};
 use super::layout::Layout;
 use crate::scene::Side;
 use crate::scene::error::SceneError;
@@ -15,6 +15,9 @@ use crate::scene::{Analysis, BodyScene, Scene};
 
 /// Part of a line across the plane of a plane body beyond which it leads out of it.
 const OUT_OF_PLANE: f64 = 1e-9;
+const LINK: &str = "a link";
+/// Part of the greatest force over the length of a link that is no force: rounding of lengths.
+const TAUT: f64 = 1e-9;
 /// Part of the greatest coordinate below which two ends are on one place.
 const NO_LINE: f64 = 1e-12;
 
@@ -255,12 +258,12 @@ fn made(
     let pairs = match to {
         Some(to) => {
             let other = places(scene, &format!("{path}.to"), *to, layout, sets)?;
-            refuse_moved(scene, [&near, &other], layout, sets)?;
+            refuse_moved(scene, LINK, [&near, &other], layout, sets)?;
             let pairs = paired(scene, &format!("{path}.to"), *to, [&near, &other], layout)?;
             Vec::from_iter(pairs.into_iter().map(|[a, b]| (a, Some(b))))
         }
         None => {
-            refuse_moved(scene, [&near, &[]], layout, sets)?;
+            refuse_moved(scene, LINK, [&near, &[]], layout, sets)?;
             Vec::from_iter(near.into_iter().map(|a| (a, None)))
         }
     };
@@ -297,10 +300,55 @@ fn made(
     let stiffness = own.stiffness.map_or(0.0, |stiffness| stiffness.get());
     let gap = own.gap.map_or(0.0, |gap| gap.get());
     let curve = curve.unwrap_or_else(|| ForceCurve::spring(stiffness, bears, gap));
+    refuse_at_rest(scene, link, layout, &ends, &curve)?;
     Ok(Made::Spring { ends, curve })
 }
 
 /// The length without a force of a link whose ends are so far apart at rest \[L\].
+/// Refuses a link that pulls or pushes at rest where nothing finds what that makes of the body first, and one whose ends stand on each other while it bears.
+fn refuse_at_rest(
+    scene: &Scene,
+    link: &LinkInScene<'_>,
+    layout: &Layout,
+    ends: &[Ends],
+    curve: &ForceCurve,
+) -> Result<(), SceneError> {
+    let finds_rest = matches!(
+        scene.analysis,
+        Analysis::Static(_) | Analysis::ArcLength(_) | Analysis::Relaxation(_) | Analysis::Explicit(_)
+    );
+    for end in ends {
+        let Span::Length(length) = end.span else { continue };
+        let here = layout.rest[end.near as usize];
+        let there = match end.far {
+            FarEnd::Particle(b) => layout.rest[b as usize],
+            FarEnd::Ground(point) => point,
+        };
+        let distance = (there - here).norm();
+        let at = curve.at(distance - length);
+        let key = format!("{}.length", link.path);
+        if distance == 0.0 && (at.force != 0.0 || at.slope != 0.0) {
+            let bound = "but slack where its ends stand on each other: there no line between them draws it";
+            let fault = scene.source.fault(
+                &key,
+                &length.to_string(),
+                bound,
+                "give a `direction`, or a `length` at which it is slack",
+            );
+            return Err(SceneError::Set(fault));
+        }
+        if !finds_rest && at.force.abs() > TAUT * curve.steepest() * length.max(distance) {
+            let bound = format!(
+                "but without a force at rest in {}, which starts from the body as it is given: the ends are {distance:.6} apart",
+                scene.analysis.kind().name
+            );
+            let repair = "leave `length` out, or find the balance by [analysis.static], [analysis.arc-length] or a march";
+            return Err(SceneError::Set(scene.source.fault(&key, &length.to_string(), &bound, repair)));
+        }
+    }
+    Ok(())
+}
+
 fn of_length(
     scene: &Scene,
     link: &LinkInScene<'_>,
@@ -334,23 +382,4 @@ fn is_plane(scene: &Scene, body: &str) -> bool {
         Some(BodyScene::Rigid(_)) => in_plane_fluid,
         _ => false,
     }
-}
-
-/// Without time no end may be moved by a support: answers are differentiated by the level at fixed unknowns.
-fn refuse_moved(
-    scene: &Scene,
-    ends: [&[u32]; 2],
-    layout: &Layout,
-    sets: &SetsOfBodies,
-) -> Result<(), SceneError> {
-    if matches!(scene.analysis, Analysis::Explicit(_)) {
-        return Ok(());
-    }
-    let Some((path, on)) = moved_on(scene, ends, layout, sets)? else { return Ok(()) };
-    let bound = format!(
-        "whose places hang on a link, which {} has on places that no support moves",
-        scene.analysis.kind().name
-    );
-    let repair = "move another set, or use [analysis.explicit]";
-    Err(SceneError::Set(scene.source.fault(&path, &format!("\"{on}\""), &bound, repair)))
 }

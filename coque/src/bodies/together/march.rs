@@ -43,6 +43,7 @@ impl Dynamics for Together<Marched> {
     }
 
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
+        self.joints.as_ref().map_or(Ok(()), |joints| joints.held())?;
         self.system.within_bounds(bounds)
     }
 

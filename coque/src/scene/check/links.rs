@@ -20,6 +20,26 @@ pub(super) fn check_links(scene: &Scene) -> Verdict {
         let repair = "use supports with a `spring` and the damping of the analysis, or march by [analysis.explicit.transient]";
         return Err(SceneError::Choice(s.fault("links", "a link", "none in a harmonic analysis", repair)));
     }
+    if matches!(scene.analysis, Analysis::Heat(_)) {
+        let repair = "remove them, or use [analysis.static] with a load whose `temperature` is `conducted`";
+        return Err(SceneError::Choice(s.fault("links", "a link", "none in a heat analysis", repair)));
+    }
+    if scene.analysis.is_shaken_by_bases() {
+        let bent = |link: &LinkScene| {
+            let given = [
+                ("gap", link.gap.is_some()),
+                ("bears", link.bears.is_some()),
+                ("table", link.table.is_some()),
+            ];
+            given.into_iter().find(|(_, given)| *given).map(|(key, _)| key)
+        };
+        if let Some((i, key)) = scene.links.iter().enumerate().find_map(|(i, link)| Some((i, bent(link)?))) {
+            let bound = format!("none in {}, whose answers go to both sides", scene.analysis.kind().name);
+            let repair = "give a `stiffness` alone, or march by [analysis.explicit.transient]";
+            let value = "a force that is not straight";
+            return Err(SceneError::Choice(s.fault(&format!("links[{i}].{key}"), value, &bound, repair)));
+        }
+    }
     for link in links(scene)? {
         check_ends(scene, &link)?;
         check_kind(scene, &link)?;

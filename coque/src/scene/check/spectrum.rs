@@ -1,10 +1,12 @@
 //! Checks of answers to response spectra and to noise: what shakes, spectra, densities.
 
 use explicit_dynamics::Amplitude;
-use implicit_statics::SpectrumBy;
+use implicit_statics::{DirectionRule, SpectrumBy};
+use sph_core::Vec3;
 
 use super::harmonic::{check_body, check_damping, check_frequencies, check_swings};
-use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::Support;
+use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::random_vibration::RandomVibration;
 use crate::scene::response_spectrum::{SpectrumAnalysis, SpectrumBase};
@@ -27,6 +29,8 @@ pub(super) fn check_spectrum(scene: &BodyInScene<'_>, wanted: &SpectrumAnalysis)
     for (i, base) in wanted.base.iter().enumerate() {
         check_base(s, &format!("{SPECTRUM}.base[{i}]"), base)?;
     }
+    check_square(s, wanted)?;
+    check_fields(scene, SPECTRUM)?;
     if let Some(load) = scene.loads.iter().find(|load| !load.preload && !load.of_base) {
         let bound =
             "none beside response spectra, whose answers have no sign, unless `preload = true` holds it";
@@ -34,6 +38,53 @@ pub(super) fn check_spectrum(scene: &BodyInScene<'_>, wanted: &SpectrumAnalysis)
         return Err(SceneError::Choice(s.fault(&load.path, "a load", bound, repair)));
     }
     check_swings(scene)
+}
+
+/// Refuses bases that lean on each other where directions are combined as if they knew nothing of each other.
+fn check_square(s: &Scope<'_>, wanted: &SpectrumAnalysis) -> Verdict {
+    if wanted.directions == DirectionRule::Absolute {
+        return Ok(());
+    }
+    let axes: Vec<Vec3> = wanted.base.iter().map(|base| Vec3::from(base.acceleration).normalize()).collect();
+    for (i, axis) in axes.iter().enumerate() {
+        if axes[..i].iter().any(|other| other.dot(axis).abs() > 1e-9) {
+            let bound = "square to all before it: of bases that are combined by `srss` or `hundred-thirty` each has a direction of its own";
+            let repair = "turn it, give one base its whole spectrum, or take directions = \"absolute\"";
+            let value = format!("{:?}", wanted.base[i].acceleration);
+            return Err(s.value(&format!("{SPECTRUM}.base[{i}].acceleration"), value, bound, repair));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses files of greatest displacements where a displacement is made of several unknowns, of which each has a greatest of its own.
+fn check_fields(scene: &BodyInScene<'_>, analysis: &str) -> Verdict {
+    let Some(shell) = scene.as_shell().filter(|_| scene.output.fields.is_some()) else { return Ok(()) };
+    let slanted = |v: &[f64; 3]| v.iter().filter(|x| **x != 0.0).count() > 1;
+    // What is turned in space holds askew unless it holds all.
+    let turned = shell.orientation.is_some();
+    let held = |support: &OnSet<'_, Support>| {
+        let plane = |normal: &[f64; 3]| turned || slanted(normal);
+        let part = support.held.as_ref().is_some_and(|held| {
+            held.displacement.iter().any(slanted) || turned && (1..3).contains(&held.displacement.len())
+        });
+        let planes = [support.symmetry.map(|own| own.normal), support.diaphragm.map(|own| own.axis)];
+        part || planes.iter().flatten().any(plane)
+    };
+    let what = if !shell.rigid.is_empty() {
+        "a rigid set"
+    } else if !shell.ties.is_empty() {
+        "a tied edge"
+    } else if scene.supports.iter().any(held) {
+        "supports that hold askew in space"
+    } else {
+        return Ok(());
+    };
+    let bound = format!(
+        "none in {analysis} of a shell with {what}: what is greatest of its unknowns is not what is greatest of its displacements"
+    );
+    let repair = "read columns, which are combined each by itself";
+    Err(SceneError::Choice(scene.scope().fault("output.fields", "fields", &bound, repair)))
 }
 
 fn check_base(s: &Scope<'_>, at: &str, base: &SpectrumBase) -> Verdict {
@@ -93,6 +144,11 @@ fn check_curve(s: &Scope<'_>, at: &str, base: &SpectrumBase, amplitude: &Amplitu
         }
     }
     ascending(s, at, points, if of_course { 2 } else { 1 })?;
+    if let Some([end, last]) = points.last().filter(|point| of_course && point[1] != 0.0) {
+        let value = format!("{last} at its end, the time {end}");
+        let repair = "add a point with the factor 0 behind the last";
+        return Err(s.value(at, value, "zero at its end, behind which the ground is at rest", repair));
+    }
     if points.iter().all(|point| point[1] == 0.0) {
         return Err(s.value(
             at,
@@ -130,6 +186,7 @@ pub(super) fn check_noise(scene: &BodyInScene<'_>, wanted: &RandomVibration) -> 
         let fault = s.fault(NOISE, "nothing", "noise of a base or of the loads", repair);
         return Err(SceneError::Choice(fault));
     }
+    check_fields(scene, NOISE)?;
     for (i, base) in wanted.base.iter().enumerate() {
         s.direction(&format!("{NOISE}.base[{i}].acceleration"), base.acceleration)?;
         check_density(s, &format!("{NOISE}.base[{i}].density"), &base.density)?;

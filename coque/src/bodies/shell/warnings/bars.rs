@@ -26,6 +26,8 @@ pub(super) fn deep(look: &Look<'_>) -> Option<String> {
         let bar = bar_of(stiffener, shell)?;
         let bending = bar.section.bending + bar.section.axial * bar.height * bar.height;
         let sheared = PI * PI * bending / (bar.section.shear * length * length);
+        // Of half a bar half of the sheet is there.
+        let sheet = stiffener.share.get() * sheet;
         let off = sheared / (1.0 + sheared) * sheet / (sheet + bar.section.shear);
         Some((off, &stiffener.on))
     });

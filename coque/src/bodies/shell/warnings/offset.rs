@@ -2,10 +2,12 @@
 
 use std::f64::consts::PI;
 
-use crate::scene::Analysis;
-use crate::scene::bounded::Modes;
+use sph_shell::BarForce;
 
 use super::look::Look;
+use crate::bodies::shell::bars::bar_of;
+use crate::scene::Analysis;
+use crate::scene::bounded::Modes;
 
 /// Relative error of a frequency above which it is reported.
 const OFF: f64 = 0.02;
@@ -45,7 +47,8 @@ pub(super) fn inertia(look: &Look<'_>) -> Option<String> {
         Analysis::Explicit(_) => 1,
         _ => return None,
     };
-    if !look.shell.has_regions() {
+    let bars = &look.scene?.shell.stiffeners;
+    if !look.shell.has_regions() && bars.is_empty() {
         return None;
     }
     let reference = look.shell.reference();
@@ -59,15 +62,32 @@ pub(super) fn inertia(look: &Look<'_>) -> Option<String> {
     let high = places.iter().copied().reduce(|a, b| a.sup(&b))?;
     let m = modes as f64;
     let square = (4.0 * PI * m / area).min((m * PI / (high - low).norm()).powi(2));
-    let height = (moment / area).sqrt();
+    let height = (moment / area + of_bars(look)?).sqrt();
     let off = square * height * height;
     (off > OFF).then(|| {
         format!(
-            "sections lie {height:.3e} over their particles in the mean, and masses leave out what that couples of velocities and rates of \
+            "sections and stiffeners lie {height:.3e} over their particles in the mean, and masses leave out what that couples of velocities and rates of \
              directors: the frequency of mode {modes} would be some {:.0} % too low, at most {:.0} % are let pass; put the particles into the \
              middle of the sections that bear most of the mass",
             100.0 * off,
             100.0 * OFF
         )
     })
+}
+
+/// Mean of the square of the height of stiffeners over all mass \[L²\].
+fn of_bars(look: &Look<'_>) -> Option<f64> {
+    let shell = look.scene?.shell;
+    if shell.stiffeners.is_empty() {
+        return Some(0.0);
+    }
+    let rest = look.shell.rest_positions();
+    let bars: Vec<_> = shell.stiffeners.iter().map(|own| bar_of(own, shell)).collect();
+    let moment = |piece: BarForce| {
+        let length = (rest[piece.ends[1] as usize] - rest[piece.ends[0] as usize]).norm();
+        let bar = bars.get(piece.stiffener).and_then(Option::as_ref);
+        bar.map_or(0.0, |bar| bar.mass * length * bar.height * bar.height)
+    };
+    let whole: f64 = look.shell.moving_masses()[0].iter().sum();
+    Some(look.shell.bar_forces().map(moment).sum::<f64>() / whole)
 }

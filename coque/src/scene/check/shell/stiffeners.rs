@@ -33,6 +33,11 @@ pub(super) fn check_stiffeners(scene: &BodyInScene<'_>, shell: &ShellScene, s: &
         let repair = "model it as a sheet of the mesh, or smear its stiffness over [section.stiffness]";
         return refuse("none in a fluid, which would not see it", repair);
     }
+    if let Some(load) = scene.loads.iter().find(|load| load.gravity.is_some() && load.on != "all") {
+        let bound = "\"all\" on a shell with [[stiffeners]]: gravity on a part of it leaves their weight out";
+        let value = format!("\"{}\"", load.on);
+        return Err(SceneError::Choice(scene.scope().fault(&load.at("on"), &value, bound, "load all of it")));
+    }
     if let Some(load) = scene.loads.iter().find(|load| load.heats()) {
         let bound = "none on a shell with [[stiffeners]], which do not expand with it";
         let repair = "remove it, or model the stiffeners as sheets of the mesh";
