@@ -56,7 +56,7 @@ impl JointedBodies {
             place: "[[joints]]".into(),
             what: "the gap",
             value: missed,
-            bound: "zero: supports of a body, or other joints, say otherwise than one of them".into(),
+            bound: "zero: supports of a body, or other joints, say otherwise than one of them",
         }))
     }
 
