@@ -85,11 +85,12 @@ fn period_found(dt: f64) -> [f64; 2] {
     [2.0 * (crossings[1] - crossings[0]) / exact - 1.0, crossings[0] / (0.25 * exact) - 1.0]
 }
 
-/// Of second order in the step.
+/// Of second order in the step: measured 8.5e-5 by steps of 1/271 of the period, 2.1e-5 by half of them.
 #[test]
 fn a_pendulum_of_large_amplitude_keeps_the_time_of_the_elliptic_integral() {
     let [coarse, fine] = [0.01, 0.005].map(period_found);
-    assert!(coarse[0].abs() < 1e-4 && fine[0].abs() < 3e-5, "{coarse:?} {fine:?}");
+    println!("pendulum, period: {:e}, half the step {:e}", coarse[0], fine[0]);
+    assert!(coarse[0].abs() < 2.6e-4 && fine[0].abs() < 6.5e-5, "{coarse:?} {fine:?}");
 }
 
 /// Two bars on hinges that lean, one off the plane of the other, under gravity: energy within 1e-4 of what falls without a trend, hinges to rounding.
@@ -120,7 +121,9 @@ fn a_double_pendulum_keeps_its_energy() {
         });
         off = off.max((ends[0] - ends[1]).norm());
     });
-    assert!(most < 1e-4 * scale, "{most} {scale}");
+    println!("double pendulum, energy: {:e}, gap {off:e}", most / scale);
+    // Measured 4.1e-5.
+    assert!(most < 1.3e-4 * scale, "{most} {scale}");
     assert!(off < 1e-14, "{off}");
 }
 
@@ -152,7 +155,9 @@ fn joints_keep_momentum_and_moment_of_momentum() {
         off = off.max((now[0] - start[0]).norm()).max((now[1] - start[1]).norm());
         kinetic.push(work.kinetic);
     });
-    assert!(off < 1e-12 * start[1].norm(), "{off} {}", start[1].norm());
+    println!("four bodies, momentum and its moment: {:e}", off / start[1].norm());
+    // Measured 1.8e-15.
+    assert!(off < 6e-15 * start[1].norm(), "{off} {}", start[1].norm());
     let [least, most] = [f64::min, f64::max].map(|of| kinetic.iter().copied().fold(kinetic[0], of));
     assert!(most - least < 1e-3 * most, "nothing takes energy: {least} {most}");
 }
@@ -183,7 +188,9 @@ fn a_slider_goes_where_its_crank_leads_it() {
         off = off.max((x - (r * crank.x + (l * l - r * r * crank.z * crank.z).sqrt())).abs());
         (least, most) = (least.min(x), most.max(x));
     });
-    assert!(off < 1e-13, "{off}");
+    println!("slider and crank: {off:e}");
+    // Measured 4e-15.
+    assert!(off < 1.2e-14, "{off}");
     assert!(most > r + l - 1e-3 && least < l - r + 1e-3, "it goes to and fro: {least} {most}");
 }
 

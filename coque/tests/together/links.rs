@@ -141,7 +141,9 @@ fn a_weight_hangs_in_a_vee_of_cables() {
         if force(middle) < weight { low = middle } else { high = middle }
     }
     let found = sag - last(&outcome, "z");
-    assert!((found - low).abs() < 1e-9, "{found} {low}");
+    println!("vee of cables: {:e}", found - low);
+    // Measured 1e-16: Newton's method ends by its last step.
+    assert!((found - low).abs() < 1e-14, "{found} {low}");
 }
 
 const STRIP: &str = r#"title = "A strip"

@@ -187,9 +187,9 @@ fn judged(run: &Run, missed: Option<Miss>) -> Result<Vec<Metric>, JudgeError> {
         Metric::compared(MADE, course.map(|found| found[0]), "m", ASKED)
             .within(0.03 * ASKED, "3 %, by the course of the height over pairs of gauges"),
     );
+    let lost = Metric::error(LOST, course.map(|found| 100.0 * found[1]), "%");
     metrics.push(
-        Metric::error(LOST, course.map(|found| 100.0 * found[1]), "%")
-            .shown("noise of the particles that the diffusion of density takes out (docs/fluids.md)"),
+        lost.near(4.7, "noise of the particles that the diffusion of density takes out (docs/fluids.md)"),
     );
     let phase = |[x, y]: Complex| libm::atan2(y, x);
     let behind = near_wave.zip(far_wave).map(|(near, far)| (phase(far) - phase(near)).rem_euclid(TAU));
