@@ -24,7 +24,8 @@ impl Fluid {
     pub fn energies(&self) -> Energies {
         let kinetic: f64 = self.velocities().iter().map(|v| v.norm_squared()).sum();
         let gravity = self.gravity_across();
-        let weight: f64 = self.positions().iter().map(|r| gravity.dot(r)).sum();
+        let here = self.positions().iter().enumerate().filter(|(i, _)| self.is_here(*i));
+        let weight: f64 = here.map(|(_, r)| gravity.dot(r)).sum();
         Energies {
             kinetic: 0.5 * self.mass * kinetic,
             compression: self.compression(),

@@ -88,6 +88,17 @@ pub enum FluidError {
     /// What periodic sides do not go with.
     #[error("{0} does not go with periodic sides; remove one of the two")]
     NotPeriodic(&'static str),
+    /// An opening that cannot be.
+    #[error("opening {number} {what}")]
+    Opening {
+        /// Which of them.
+        number: usize,
+        /// What is wrong, and what to do.
+        what: &'static str,
+    },
+    /// What openings do not go with.
+    #[error("{0} does not go with openings; remove one of the two")]
+    NotOpen(&'static str),
     /// An axis of no length.
     #[error("the axis of rotation of wall {0} has no length; give a direction")]
     Axis(usize),

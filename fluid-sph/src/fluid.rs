@@ -14,6 +14,7 @@ use crate::kernel::Wendland;
 use crate::ledger::{Ledger, Sums};
 use crate::liquid::Liquid;
 use crate::momentum::{ForceSum, Momentum, Viscosity};
+use crate::openings::Openings;
 use crate::pair::Row;
 use crate::parts::{Parts, Start};
 use crate::periods::{Copies, Periodic, Periods};
@@ -59,6 +60,8 @@ pub struct Fluid {
     pub(crate) periodic: Option<Periodic>,
     /// Where the particles stand, and their copies across such sides.
     pub(crate) copies: Copies,
+    /// Where particles come in and go out.
+    pub(crate) openings: Option<Box<Openings>>,
     pub(crate) boundary: Boundary,
     pub(crate) grid: Grid,
     pub(crate) sorted: Sorted,
@@ -154,6 +157,7 @@ impl Fluid {
             share: Share::default(),
             periodic: periods.map(|periods| Periodic { periods, gone: vec![[0.0; 3]; count] }),
             copies: Copies::default(),
+            openings: None,
             boundary,
             grid: Grid::around(dimensions, std::iter::empty(), 1.0),
             sorted: Sorted::default(),
@@ -175,7 +179,7 @@ impl Fluid {
         Ok(fluid)
     }
 
-    /// Number of particles.
+    /// Number of particles; of a fluid with openings, that which it has room for.
     pub fn len(&self) -> usize {
         self.rest.len()
     }

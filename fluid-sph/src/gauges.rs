@@ -38,7 +38,7 @@ impl<'a> Column<'a> {
         };
         let positions = &fluid.shown().positions;
         let particles: Vec<usize> =
-            (0..fluid.len()).filter(|&i| across(&positions[i]) < 4.0 * h * h).collect();
+            fluid.here().filter(|&i| across(&positions[i]) < 4.0 * h * h).collect();
         let heights = particles.iter().map(|&i| up.dot(&positions[i]));
         let (bottom, top) =
             heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
@@ -55,8 +55,7 @@ impl<'a> Column<'a> {
 impl Fluid {
     /// Pressure at a place \[F/L²\]: the mean of the fluid about it, carried there by gravity; none where it is dry.
     pub fn pressure_at(&self, point: Vec3) -> Option<f64> {
-        let all = 0..self.len();
-        let (filled, weight, pressure) = self.mean(self.plane(point), all);
+        let (filled, weight, pressure) = self.mean(self.plane(point), self.here());
         (filled >= WET).then(|| pressure / weight)
     }
 
@@ -138,11 +137,11 @@ impl Fluid {
             });
             divergence < OPEN[usize::from(self.dimensions == 3)]
         };
-        (0..self.len()).map(open).collect()
+        (0..self.len()).map(|a| self.is_here(a) && open(a)).collect()
     }
 
     /// The direction in which levels are measured: along a flow that goes round nothing has a height.
-    fn up(&self) -> Vec3 {
+    pub(crate) fn up(&self) -> Vec3 {
         let gravity = self.gravity_across();
         let strength = gravity.norm();
         match (strength > 0.0, self.dimensions) {
@@ -150,6 +149,11 @@ impl Fluid {
             (false, 2) => Vec3::y(),
             (false, _) => Vec3::z(),
         }
+    }
+
+    /// Numbers of the particles in the flow.
+    fn here(&self) -> impl Iterator<Item = usize> {
+        (0..self.len()).filter(|&i| self.is_here(i))
     }
 
     fn plane(&self, at: Vec3) -> Vec3 {
@@ -208,13 +212,20 @@ impl Nearby {
         let (own, of_points) = (copied(positions), copied(points));
         let place = |number: usize| own.place(number, |i| positions[i]);
         let grid = Grid::around(fluid.dimensions, (0..own.all(positions.len())).map(place), width);
-        let sorted = |list: &[Vec3], copies: Copies| {
+        let openings = fluid.openings.as_deref();
+        let [here, points_here] =
+            [openings.map_or(&[][..], |own| &own.here), openings.map_or(&[][..], |own| &own.near)];
+        let sorted = |list: &[Vec3], copies: Copies, present: &[bool]| {
             let mut sorted = Sorted::default();
-            let place = |number: usize, _: &[u32]| copies.place(number, |i| list[i]).into();
+            let is_present = |i: usize| present.get(i).is_none_or(|present| *present);
+            let place = |number: usize, _: &[u32]| {
+                is_present(copies.source(number)).then(|| copies.place(number, |i| list[i]).into())
+            };
             sorted.sort(1, &grid, copies.all(list.len()), place);
             (sorted, copies)
         };
-        let (fluid, boundary) = (sorted(positions, own.clone()), sorted(points, of_points));
+        let (fluid, boundary) =
+            (sorted(positions, own.clone(), here), sorted(points, of_points, points_here));
         Self { grid, fluid, boundary }
     }
 

@@ -44,6 +44,9 @@ impl Fluid {
         if let Some(periodic) = &self.periodic {
             arrays.push(("gone", Cow::Borrowed(periodic.gone.as_flattened())));
         }
+        if let Some(openings) = &self.openings {
+            arrays.push(("openings", Cow::Owned(openings.state())));
+        }
         arrays
     }
 
@@ -73,10 +76,13 @@ impl Fluid {
         else {
             return Err(FluidError::State("ledger"));
         };
-        let Self { present, boundary, ledger: own, share, periodic, .. } = self;
+        let Self { present, boundary, ledger: own, share, periodic, openings, .. } = self;
         let present = share.shared_mut().map_or(present, |shared| &mut shared.whole);
-        if let (Some(periodic), [gone]) = (periodic, rest) {
+        if let (Some(periodic), [gone, ..]) = (periodic, rest) {
             periodic.gone.as_flattened_mut().copy_from_slice(gone);
+        }
+        if let (Some(openings), [.., numbers]) = (openings, rest) {
+            openings.set_state(numbers);
         }
         put(&mut present.positions, positions);
         put(&mut present.velocities, velocities);

@@ -28,7 +28,8 @@ impl Fluid {
 
     /// The way of a particle from its place at the start, through periodic sides \[L\].
     pub fn displacement(&self, particle: usize) -> Vec3 {
-        let here = self.positions()[particle] - self.rest[particle];
+        let first = self.openings.as_ref().map_or(&self.rest, |openings| &openings.since);
+        let here = self.positions()[particle] - first[particle];
         let Some(Periodic { periods, gone }) = &self.periodic else { return here };
         here + periods.lengths.component_mul(&Vec3::from(gone[particle]))
     }

@@ -7,10 +7,17 @@ use crate::cells::Grid;
 use crate::error::FluidError;
 use crate::fluid::{CELL, Fluid};
 use crate::formulation::{Scheme, WallRule};
+use crate::openings::Openings;
 use crate::share::Share;
 use crate::share::deal::{All, Deal, FARTHEST};
 use crate::sorted::Sorted;
 use crate::state::State;
+
+/// By particle that is known: whether it is moved here; empty where all are. Others who march the fluid move some, and what has gone out through
+/// openings does not move.
+pub(crate) fn moving<'a>(share: &'a Share, openings: &'a Option<Box<Openings>>) -> &'a [bool] {
+    openings.as_deref().map_or_else(|| share.moves(), |openings| &openings.here)
+}
 
 impl Fluid {
     /// Marches it with others, each of whom has built the same fluid: this one moves its part of the particles. All that a march
@@ -19,7 +26,7 @@ impl Fluid {
     /// states. Structures in it are whole with each of them, who all march them: forces on their points are right with everyone.
     ///
     /// # Errors
-    /// [`FluidError::NotShared`]: predictor and corrector, walls with a density of their own, periodic sides.
+    /// [`FluidError::NotShared`]: predictor and corrector, walls with a density of their own, periodic sides, openings.
     pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), FluidError> {
         let refusals = [
             (
@@ -28,6 +35,7 @@ impl Fluid {
             ),
             (self.formulation.walls == WallRule::Dynamic, "a fluid between walls of the published method"),
             (self.periodic.is_some(), "a fluid with periodic sides"),
+            (self.openings.is_some(), "a fluid with openings"),
         ];
         if let Some((_, what)) = refusals.iter().find(|(refused, _)| *refused) {
             return Err(FluidError::NotShared(what));
@@ -84,14 +92,14 @@ impl Fluid {
 
     /// Numbers of the particles that this one moves, ascending: all, unless others march it too. They change as the fluid flows.
     pub fn own_particles(&self) -> impl Iterator<Item = usize> {
-        let moves = self.share.moves();
+        let moves = moving(&self.share, &self.openings);
         let own = (0..self.present.densities.len()).filter(|&i| moves.get(i).is_none_or(|moves| *moves));
         own.map(|i| self.share.number(i))
     }
 
     /// Velocities of those, in the same order, as they are now \[L/T\].
     pub fn own_velocities(&self) -> impl Iterator<Item = &Vec3> {
-        let moves = self.share.moves();
+        let moves = moving(&self.share, &self.openings);
         let all = self.present.velocities.iter().enumerate();
         all.filter(|(i, _)| moves.get(*i).is_none_or(|moves| *moves)).map(|(_, velocity)| velocity)
     }

@@ -55,13 +55,13 @@ impl Sorted {
     }
 
     /// Sorts particles by cells, those of one cell by their numbers; what they are comes with [`Sorted::fill`]. Places may be
-    /// found by the slots before.
+    /// found by the slots before; those without a place stand nowhere.
     pub fn sort(
         &mut self,
         threads: usize,
         grid: &Grid,
         count: usize,
-        position: impl Fn(usize, &[u32]) -> [f64; 3] + Sync,
+        position: impl Fn(usize, &[u32]) -> Option<[f64; 3]> + Sync,
     ) {
         std::mem::swap(&mut self.slots, &mut self.before);
         // Cells take the place of slots until those are known.
@@ -69,7 +69,7 @@ impl Sorted {
         let before = &self.before[..];
         chunks(threads, &mut self.slots[..], |first, cells: &mut [u32]| {
             for (i, cell) in cells.iter_mut().enumerate() {
-                *cell = grid.cell(&position(first + i, before));
+                *cell = position(first + i, before).map_or(NOWHERE, |at| grid.cell(&at));
             }
         });
         self.starts.clear();
@@ -122,6 +122,18 @@ impl Sorted {
                 *z = grid.single(&rows[first + s].at())[2];
             }
         });
+    }
+
+    /// Makes room for so many, so that no sort needs more.
+    pub fn reserve(&mut self, count: usize) {
+        self.order.reserve(count);
+        self.slots.reserve(count);
+        self.before.reserve(count);
+        self.left.reserve(count);
+        self.rows.reserve(count + 1);
+        for axis in [&mut self.x, &mut self.y, &mut self.z] {
+            axis.reserve(count + EIGHT);
+        }
     }
 
     /// What a particle of the fluid does not see of its own kind: those on the other side of a thin structure.

@@ -99,7 +99,7 @@ fn bodies(dimensions: usize, distance: f64, positions: &[Vec3], periods: Option<
     let (all, place) = (copies.all(positions.len()), |number: usize| copies.place(number, |i| positions[i]));
     let grid = Grid::around(dimensions, (0..all).map(place), distance);
     let mut sorted = Sorted::default();
-    sorted.sort(1, &grid, all, |number, _| place(number).into());
+    sorted.sort(1, &grid, all, |number, _| Some(place(number).into()));
     let mut body = vec![usize::MAX; positions.len()];
     let mut front = Vec::new();
     for first in 0..positions.len() {

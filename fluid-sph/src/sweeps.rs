@@ -19,8 +19,21 @@ impl Fluid {
     pub(crate) fn sort(&mut self, ahead: f64, before: f64) {
         let width = CELL * 2.0 * self.momentum.kernel.h;
         let Self {
-            threads, dimensions, present, drags, grid, sorted, boundary, share, periodic, copies, ..
+            threads,
+            dimensions,
+            present,
+            drags,
+            grid,
+            sorted,
+            boundary,
+            share,
+            periodic,
+            copies,
+            openings,
+            ..
         } = self;
+        let (here, points) = openings.as_deref().map_or((&[][..], &[][..]), |own| (&own.here[..], &own.near[..]));
+        let is_here = |i: usize| here.get(i).is_none_or(|here| *here);
         let count = present.positions.len();
         let place = |i: usize, slots: &[u32]| {
             present.place(i, drags, slots.get(i).map_or(0, |slot| *slot as usize), ahead)
@@ -31,22 +44,27 @@ impl Fluid {
         }
         let (copies, all) = (&*copies, copies.all(count));
         let standing = |number: usize, slots: &[u32]| copies.place(number, |i| place(i, slots));
-        let extent = Extent::of(*dimensions, (0..all).map(|number| standing(number, &sorted.slots)));
+        let present = (0..all).filter(|&number| is_here(copies.source(number)));
+        let extent = Extent::of(*dimensions, present.map(|number| standing(number, &sorted.slots)));
         *grid = Grid::over(*dimensions, share.all(all), share.widened(extent), width);
-        sorted.sort(*threads, grid, all, |number, before| standing(number, before).into());
-        boundary.sort(grid, before, share.near(), periods.map(|periods| (periods, width)));
+        sorted.sort(*threads, grid, all, |number, before| {
+            is_here(copies.source(number)).then(|| standing(number, before).into())
+        });
+        boundary.sort(grid, before, share.near(), periods.map(|periods| (periods, width)), points);
         self.leave_copies(count);
         self.leave_to_others();
     }
 
     /// Leaves copies out of the sweeps, and makes room for what these find of all that stand in cells.
     fn leave_copies(&mut self, count: usize) {
-        if self.copies.is_empty() {
+        if self.copies.is_empty() && self.openings.is_none() {
             return;
         }
         let Sorted { order, left, .. } = &mut self.sorted;
-        left.clear();
-        left.extend(order.iter().map(|&number| number as usize >= count));
+        if !self.copies.is_empty() {
+            left.clear();
+            left.extend(order.iter().map(|&number| number as usize >= count));
+        }
         let all = order.len();
         self.accelerations.resize(all, [0.0; 3]);
         self.powers.resize(all, 0.0);
@@ -136,8 +154,19 @@ impl Fluid {
 
     fn extrapolate(&mut self) {
         let Self {
-            threads, dimensions, liquid, formulation, gravity, grid, momentum, sorted, boundary, ..
+            threads,
+            dimensions,
+            liquid,
+            formulation,
+            gravity,
+            grid,
+            momentum,
+            sorted,
+            boundary,
+            openings,
+            ..
         } = self;
+        let weight = liquid.density * gravity.norm();
         let boundary_rows = &boundary.sorted;
         let (kernel, gravity) = (&momentum.kernel, (*gravity).into());
         chunks(*threads, &mut boundary.means[..], |first, out: &mut [WallMean]| {
@@ -165,6 +194,9 @@ impl Fluid {
                 }
             }
         });
+        if let Some(openings) = openings {
+            openings.press(boundary, liquid, weight);
+        }
         boundary.press_copies();
     }
 

@@ -6,3 +6,4 @@ pub(crate) mod pending;
 pub(crate) mod points;
 mod settling;
 pub(crate) mod sides;
+mod zone;

@@ -35,10 +35,10 @@ use crate::walls::motion::Pose;
 
 /// A wall: its particles, and where they are when its motion is zero.
 #[derive(Clone, Debug)]
-struct WallPart {
-    range: Range<usize>,
-    rest: Vec<Vec3>,
-    motion: Option<Motion>,
+pub(super) struct WallPart {
+    pub range: Range<usize>,
+    pub rest: Vec<Vec3>,
+    pub motion: Option<Motion>,
 }
 
 /// A structure: its points, and its sides if it is thin.
@@ -81,7 +81,7 @@ pub(crate) struct Boundary {
     kept: Vec<f64>,
     /// By point: bit of its face.
     faces: Vec<u32>,
-    walls: Vec<WallPart>,
+    pub(super) walls: Vec<WallPart>,
     structures: Vec<StructurePart>,
 }
 
@@ -234,8 +234,15 @@ impl Boundary {
     }
 
     /// Sorts those that are near, all if nothing is said, into the cells of the fluid, where they were so long a time before the end of the
-    /// step \[T\]; with copies in a width of periodic sides \[L\].
-    pub fn sort(&mut self, grid: &Grid, before: f64, near: &[bool], periods: Option<(&Periods, f64)>) {
+    /// step \[T\]; with copies in a width of periodic sides \[L\]. Those that are not present, all are if nothing is said, stand nowhere.
+    pub fn sort(
+        &mut self,
+        grid: &Grid,
+        before: f64,
+        near: &[bool],
+        periods: Option<(&Periods, f64)>,
+        present: &[bool],
+    ) {
         let Self { points, velocities, copies, .. } = self;
         let at = |i: usize| points[i] - velocities[i] * before;
         if let Some((periods, width)) = periods {
@@ -244,8 +251,9 @@ impl Boundary {
         // Beyond all cells; where they are cut off and have no end, all are near.
         let beyond = [f64::INFINITY; 3];
         let place = |number: usize, _: &[u32]| match is_one(near, number) {
-            true => copies.place(number, at).into(),
-            false => beyond,
+            true if !is_one(present, copies.source(number)) => None,
+            true => Some(copies.place(number, at).into()),
+            false => Some(beyond),
         };
         self.sorted.sort(1, grid, copies.all(points.len()), place);
         let Sorted { order, faces, left, .. } = &mut self.sorted;

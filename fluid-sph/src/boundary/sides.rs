@@ -85,7 +85,7 @@ impl Thin {
         self.normals.extend(state.normals.iter().map(plane));
         self.grid = Grid::around(self.dimensions, self.middle.iter().copied(), self.reach);
         let middle = &self.middle;
-        self.sorted.sort(1, &self.grid, middle.len(), |i, _| middle[i].into());
+        self.sorted.sort(1, &self.grid, middle.len(), |i, _| Some(middle[i].into()));
     }
 
     /// The face that a place sees, and again if it does not see past an edge; neither where it is far away.

@@ -80,7 +80,7 @@ impl Deal {
     pub fn new(all: &All<'_>, rank: usize, count: usize) -> Self {
         let All { dimensions, ref grid, positions, points, ref wet, everything } = *all;
         let mut sorted = Sorted::default();
-        sorted.sort(1, grid, positions.len(), |i, _| positions[i].into());
+        sorted.sort(1, grid, positions.len(), |i, _| Some(positions[i].into()));
         let rings = if points.is_empty() { 2 } else { 3 };
         let owners = owners(dimensions, grid, &sorted, count, rings);
         let rank = rank as u32;

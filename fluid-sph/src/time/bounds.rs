@@ -4,12 +4,13 @@ use explicit_dynamics::{OutOfBounds, OutOfRange};
 use sph_core::Vec3;
 
 use crate::fluid::Fluid;
+use crate::sharing::moving;
 use crate::start::outside;
 
 impl Fluid {
     /// The particles that this one moves.
     fn own(&self) -> impl Iterator<Item = usize> {
-        let moves = self.share.moves();
+        let moves = moving(&self.share, &self.openings);
         (0..self.present.densities.len()).filter(|&i| moves.get(i).is_none_or(|moves| *moves))
     }
 
@@ -58,6 +59,11 @@ impl Fluid {
                 let bound = "inside the domain: close the walls or enlarge the domain";
                 return Err(OutOfRange { place: place(particle), what, value: at[axis], bound }.into());
             }
+        }
+        if self.openings.as_ref().is_some_and(|openings| openings.full) {
+            let (place, what, value) = ("the fluid".to_owned(), "number of particles", self.len() as f64);
+            let bound = "less than it has room for: more comes in than goes out; give it more room (most_particles)";
+            return Err(OutOfRange { place, what, value, bound }.into());
         }
         if let Some((value, _)) = self.collapsed() {
             let (place, what) = ("the fluid".to_owned(), "stable step");

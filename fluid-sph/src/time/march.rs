@@ -17,6 +17,7 @@ use crate::fluid::{CELL, Fluid, StepBounds};
 use crate::formulation::{Scheme, WallRule};
 use crate::ledger::Sums;
 use crate::pair::Row;
+use crate::sharing::moving;
 use crate::sorted::Sorted;
 
 impl Dynamics for Fluid {
@@ -38,6 +39,7 @@ impl Dynamics for Fluid {
         let dt = step.drift();
         self.settle_for(step.to.time, dt);
         self.boundary.move_walls(step.to.time, dt);
+        self.advance_openings(step.to.time, dt);
         match self.formulation.scheme {
             Scheme::KickDriftKick => self.drift_once(dt),
             Scheme::PredictorCorrector => self.predict_and_correct(dt, step.damping),
@@ -113,6 +115,7 @@ impl Fluid {
         }
         self.settle();
         self.go_round();
+        self.exchange();
         self.sort(0.0, 0.0);
         self.fill(0.0, 0.0, true);
         self.find_sides();
@@ -197,8 +200,8 @@ impl Fluid {
     /// Hands the velocities of rows back to their particles, and those of particles that others move to their rows; keeps the greatest if
     /// asked to.
     fn keep_velocities(&mut self, keeps: bool) {
-        let Self { threads, present, sorted, sums, share, fastest, .. } = self;
-        let (slots, rows, moves) = (&sorted.slots, &sorted.rows, share.moves());
+        let Self { threads, present, sorted, sums, share, openings, fastest, .. } = self;
+        let (slots, rows, moves) = (&sorted.slots, &sorted.rows, moving(share, openings));
         reduced(*threads, &mut present.velocities[..], sums, |first, velocities: &mut [Vec3]| {
             let mut fastest: f64 = 0.0;
             for (i, (velocity, &slot)) in (first..).zip(velocities.iter_mut().zip(&slots[first..])) {
@@ -274,8 +277,8 @@ impl Fluid {
 
     /// New densities and places from the rates; `resorted` since drags were found.
     fn advance_places(&mut self, dt: f64, resorted: bool) {
-        let Self { threads, liquid, present, rates, drags, sorted, sums, share, .. } = self;
-        let (slots, velocities, moves) = (&sorted.slots, &present.velocities, share.moves());
+        let Self { threads, liquid, present, rates, drags, sorted, sums, share, openings, .. } = self;
+        let (slots, velocities, moves) = (&sorted.slots, &present.velocities, moving(share, openings));
         let dragged = if resorted { &sorted.before } else { slots };
         let lists = (&mut present.positions[..], &mut present.densities[..]);
         reduced(*threads, lists, sums, |first, (positions, densities): (&mut [Vec3], &mut [f64])| {
