@@ -136,7 +136,8 @@ impl Fluid {
         };
         let sound = liquid.sound_speed / (liquid.density * liquid.density * liquid.density);
         let viscosity = Viscosity::new(dimensions, &formulation, &liquid, &kernel);
-        let momentum = Momentum { kernel, mass, viscosity, sound };
+        let at_walls = if formulation.slip { Viscosity::NONE } else { viscosity };
+        let momentum = Momentum { kernel, mass, viscosity, at_walls, sound };
         let diffusion = Diffusion::new(&formulation, &liquid, &kernel, &gravity);
         let continuity = Continuity { kernel, mass, diffusion };
         let mut fluid = Self {

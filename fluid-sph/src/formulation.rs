@@ -47,6 +47,8 @@ pub struct Formulation {
     pub walls: WallRule,
     /// Whether the fluid has no free surface: walls may then pull.
     pub confined: bool,
+    /// Whether walls and structures let it slip: no friction acts against them.
+    pub slip: bool,
 }
 
 impl Default for Formulation {
@@ -61,6 +63,7 @@ impl Default for Formulation {
             scheme: Scheme::KickDriftKick,
             walls: WallRule::Extrapolated,
             confined: false,
+            slip: false,
         }
     }
 }

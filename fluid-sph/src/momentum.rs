@@ -56,6 +56,11 @@ impl Viscosity {
     }
 }
 
+impl Viscosity {
+    /// None.
+    pub const NONE: Self = Self { artificial: 0.0, laminar: 0.0 };
+}
+
 /// What pairs need beside themselves.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Momentum {
@@ -63,6 +68,8 @@ pub(crate) struct Momentum {
     /// Mass of a particle \[M\].
     pub mass: f64,
     pub viscosity: Viscosity,
+    /// Friction against walls and structures: the same, or none where they let the fluid slip.
+    pub at_walls: Viscosity,
     /// `c₀/ρ₀³`: the speed of sound is so many ρ³.
     pub sound: f64,
 }
@@ -93,7 +100,7 @@ struct Constants<L: Lanes> {
 
 impl<L: Lanes> Constants<L> {
     #[inline(always)]
-    fn new(lanes: L, Momentum { kernel, viscosity, .. }: &Momentum) -> Self {
+    fn new(lanes: L, kernel: &Wendland, viscosity: &Viscosity) -> Self {
         Self {
             shape: Shape::new(lanes, kernel),
             artificial: lanes.same(viscosity.artificial),
@@ -194,7 +201,8 @@ impl<const D: usize> Forces<'_, '_, D> {
     fn sum<L: Lanes, const LAMINAR: bool>(self, lanes: L) -> ForceSum {
         let Self { momentum, grid, of, first, sets, gravity, velocities, out, powers } = self;
         let Momentum { kernel, mass, sound, .. } = momentum;
-        let constants = Constants::new(lanes, momentum);
+        let constants = Constants::new(lanes, kernel, &momentum.viscosity);
+        let at_walls = Constants::new(lanes, kernel, &momentum.at_walls);
         let factor = -mass * kernel.slope;
         let mut cursor = CellCursor::new(grid, of, first, sets, kernel.reach());
         let (mut scratch, mut sum) = (Scratch::new(), ForceSum::default());
@@ -215,7 +223,7 @@ impl<const D: usize> Forces<'_, '_, D> {
                 approach = force.approach.greatest();
             }
             if let Some(search) = cursor.other(slot) {
-                let mut force = Force::<L, D, true, LAMINAR>::new(lanes, constants, row, velocity);
+                let mut force = Force::<L, D, true, LAMINAR>::new(lanes, at_walls, row, velocity);
                 gather::<L, _, D>(lanes, search, &mut scratch, &mut force);
                 for (sum, more) in acceleration.iter_mut().zip(force.acceleration.totals()) {
                     *sum += more;

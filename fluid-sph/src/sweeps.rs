@@ -185,7 +185,7 @@ impl Fluid {
                 let pressure = if formulation.confined { pressure } else { pressure.max(0.0) };
                 let density = if pressure == 0.0 { liquid.density } else { liquid.density_at(pressure) };
                 row.press(density, pressure / (density * density));
-                if wet && formulation.kinematic_viscosity > 0.0 {
+                if wet && formulation.kinematic_viscosity > 0.0 && !formulation.slip {
                     let mut velocity = row.velocity();
                     for (v, sum) in velocity.iter_mut().zip(mean.velocity) {
                         *v = 2.0 * *v - sum / mean.weight;

@@ -5,8 +5,14 @@ use serde::{Deserialize, Serialize};
 /// Figures of a fluid and of its coupling.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FluidFigures {
-    /// Mass of the fluid \[F T²/L; by depth in a plane\]: no particle is lost or made.
+    /// Mass of the fluid \[F T²/L; by depth in a plane\]: no particle is lost or made but through openings.
     pub mass: f64,
+    /// By opening: particles that came in.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub came_in: Vec<u64>,
+    /// By opening: particles that went out.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub went_out: Vec<u64>,
     /// Particles beyond the closed sides of basins.
     pub lost: usize,
     /// Greatest speed that a particle has had \[L/T\].

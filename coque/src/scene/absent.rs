@@ -155,10 +155,10 @@ const ROWS: &[Row] = &[
     (
         &["inflow", "inlet", "outflow", "outlet"],
         &[],
-        NotYet {
-            feature: "inflow and outflow of fluids",
-            nearest: "a flow that goes round through `periodic` sides and a `current` (coque examples open-channel)",
-        },
+        Instead(
+            "water comes in and goes out by `openings` of the fluid, as in openings = [{ at = [0, 0, 0], into = [1, 0, 0], velocity = 0.5 }] (coque examples \
+             channel-with-inflow)",
+        ),
     ),
     (
         &["surface_tension", "turbulence", "gas", "air", "second_fluid"],

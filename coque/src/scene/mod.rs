@@ -83,6 +83,7 @@ pub use explicit_dynamics::Amplitude;
 pub use fluid::current::Current;
 pub use fluid::formulation::{FluidFormulation, FluidMethod, FluidStart, WallMethod, WeaklyCompressible};
 pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, FluidGeometry};
+pub use fluid::openings::FluidOpening;
 pub use fluid::periodic::PeriodicSides;
 pub use fluid::{FluidMaterial, FluidScene, Liquid};
 pub use glue::GlueScene;

@@ -36,14 +36,14 @@ pub(in crate::bodies) fn coupled_model(
     threads: usize,
 ) -> Result<Model, SceneError> {
     let (scene, name) = (of_fluid.scene, of_fluid.name);
-    let memory = check_memory(of_fluid, wanted.particles_asked())?;
+    let memory = check_memory(of_fluid, wanted.room(wanted.particles_asked() as usize) as f64)?;
     let walls = coupled_walls(bodies, wanted)?;
     let mut wets = Vec::new();
     for body in bodies {
         wets.extend(wet(body, wanted, threads)?.map(|wet| (body.name, wet)));
     }
     let mut fluid = coupled_fluid(of_fluid, wanted, &walls, &wets, threads)?;
-    let left_out = places::places(wanted).len() - fluid.len();
+    let left_out = places::places(wanted).len() - fluid.held();
     let safety = if let Analysis::Explicit(explicit) = &scene.analysis { explicit.safety.get() } else { 1.0 };
     let step = fluid.stable_step(safety).map_or(0.0, |step| step.dt);
     let liquid = wanted.liquid();
@@ -223,6 +223,11 @@ fn coupled_fluid(
     if let Some(current) = &wanted.current {
         fluid.carry(parts::current(current));
     }
+    if !wanted.openings.is_empty() {
+        let openings = wanted.openings.iter().map(parts::opening).collect();
+        let room = wanted.room(fluid.len());
+        fluid.open(openings, room).map_err(|error| fluid_refusal(scene, wanted, &error))?;
+    }
     Ok(fluid)
 }
 
@@ -230,6 +235,7 @@ fn coupled_fluid(
 fn fluid_refusal(scene: &BodyInScene<'_>, fluid: &FluidScene, error: &FluidError) -> SceneError {
     let key = match error {
         FluidError::Option { key, .. } => format!("formulation.{}.{key}", fluid.formulation.word()),
+        FluidError::Opening { number, .. } => format!("openings[{number}]"),
         _ => format!("geometry.{}", fluid.geometry.word()),
     };
     let path = scene.body_scope().path(&key);

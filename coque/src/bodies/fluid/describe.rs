@@ -41,11 +41,24 @@ pub(in crate::bodies) fn of_fluid(
     either(method.kinematic_viscosity > 0.0, "viscosity of the liquid");
     either(method.xsph > 0.0, "particles carried by the mean velocity");
     either(!scene.loads.is_empty(), "gravity");
+    if method.slip {
+        modelled.push("walls that let it slip".into());
+    }
     if wanted.velocity.is_some() {
         modelled.push("velocity at the start".into());
     }
     if let Some(current) = &wanted.current {
         modelled.push(format!("a zone that carries the water along with {}", current.velocity));
+    }
+    for opening in &wanted.openings {
+        let what = match (opening.velocity, opening.level, opening.pressure) {
+            (Some(velocity), ..) => format!("velocity {velocity}"),
+            (None, Some(level), _) => format!("level {level}"),
+            (None, None, Some(pressure)) => format!("pressure {pressure}"),
+            (None, None, None) => "free".into(),
+        };
+        let [x, y, z] = opening.at;
+        modelled.push(format!("an opening at [{x}, {y}, {z}], {what}; room for {} particles", fluid.len()));
     }
     if let Some(periodic) = &wanted.periodic {
         let sides = ["x", "y", "z"].into_iter().zip(periodic.sides());
@@ -60,8 +73,8 @@ pub(in crate::bodies) fn of_fluid(
     Description {
         kind: "fluid",
         method: wanted.formulation.word().into(),
-        particles: fluid.len(),
-        dof: fluid.len() * fluid.dimensions(),
+        particles: fluid.held(),
+        dof: fluid.held() * fluid.dimensions(),
         spacing: fluid.spacing(),
         bytes_per_particle: fluid.bytes_per_particle() as f64,
         modelled,

@@ -45,5 +45,6 @@ pub(in crate::bodies) fn lost(fluid: &Fluid, basins: &[Sides]) -> usize {
             closed[side] && past && beside
         })
     };
-    fluid.positions().iter().filter(|x| basins.iter().any(|basin| behind(x, basin))).count()
+    let here = fluid.positions().iter().enumerate().filter(|(i, _)| fluid.is_here(*i));
+    here.filter(|(_, x)| basins.iter().any(|basin| behind(x, basin))).count()
 }

@@ -52,6 +52,10 @@ fn write_fluid(fluid: &Fluid, units: &Units, to: &mut dyn FieldWriter) -> io::Re
     numbers(to, "compression_energy", &units.symbol(Quantity::Stress), &stored.collect::<Vec<_>>())?;
     let marks: Vec<f64> = surface.iter().map(|&marked| f64::from(u8::from(marked))).collect();
     numbers(to, "free_surface", &units.symbol(Quantity::Ratio), &marks)?;
+    if !fluid.passed().is_empty() {
+        let here: Vec<f64> = (0..positions.len()).map(|a| f64::from(u8::from(fluid.is_here(a)))).collect();
+        numbers(to, "in_flow", &units.symbol(Quantity::Ratio), &here)?;
+    }
     sizes(fluid, positions.len(), units, to)
 }
 

@@ -53,8 +53,9 @@ impl Speeds {
         }
         let [fast, ran] = counts;
         self.greatest = self.greatest.max(greatest.sqrt());
-        self.fast = self.fast.max(fast as f64 / fluid.len() as f64);
-        self.ran = self.ran.max(ran as f64 / fluid.len() as f64);
+        let all = fluid.held() as f64;
+        self.fast = self.fast.max(fast as f64 / all);
+        self.ran = self.ran.max(ran as f64 / all);
     }
 
     /// Takes in what the others saw.
@@ -76,7 +77,9 @@ pub(in crate::bodies) fn found(
     let Energies { kinetic, compression, potential, viscous, diffusion } = fluid.energies();
     let Counts { substeps, most, shortened } = *counts;
     let figures = FluidFigures {
-        mass: fluid.mass() * fluid.len() as f64,
+        mass: fluid.mass() * fluid.held() as f64,
+        came_in: fluid.passed().into_iter().map(|[came, _]| came).collect(),
+        went_out: fluid.passed().into_iter().map(|[_, went]| went).collect(),
         lost,
         greatest_speed: speeds.greatest,
         greatest_density_error: fluid.greatest_density_error(),

@@ -1,10 +1,10 @@
 //! Liquid, method and start of a fluid, from the scene's words to those of `fluid-sph`.
 
 use explicit_dynamics::Amplitude;
-use fluid_sph::{Beach, Current, Formulation, Liquid, Motion, Rotation, Scheme, Waves};
+use fluid_sph::{Beach, Current, Formulation, Given, Liquid, Motion, Opening, Rotation, Scheme, Waves};
 use sph_core::Vec3;
 
-use crate::scene::{self, FluidMethod, FluidScene, WallMotion, WallWaves};
+use crate::scene::{self, FluidMethod, FluidOpening, FluidScene, WallMotion, WallWaves};
 
 /// Part of its height with which a wave comes back from a beach, and of what it differs by with which water leaves a current.
 const LEFT: f64 = 0.02;
@@ -36,6 +36,7 @@ pub(in crate::bodies) fn formulation(fluid: &FluidScene) -> Formulation {
         scheme,
         walls: wanted.walls.unwrap_or(usual.walls),
         confined: wanted.confined,
+        slip: wanted.slip,
     }
 }
 
@@ -67,6 +68,25 @@ pub(in crate::bodies) fn current(wanted: &scene::Current) -> Current {
         velocity,
         strength: Current::strength(length, velocity, LEFT),
     }
+}
+
+/// An opening.
+pub(in crate::bodies) fn opening(wanted: &FluidOpening) -> Opening {
+    let into = Vec3::from(wanted.into);
+    let axis = into.iamax();
+    let along = Vec3::from([0, 1, 2].map(|k| if k == axis { into[axis].signum() } else { 0.0 }));
+    let given = match (wanted.velocity, wanted.level, wanted.pressure) {
+        (Some(velocity), level, _) => Given::Velocity {
+            into: velocity,
+            course: wanted.amplitude.clone(),
+            profile: wanted.profile.clone().unwrap_or_default(),
+            level,
+        },
+        (None, Some(level), _) => Given::Pressure { at_level: 0.0, level },
+        (None, None, Some(pressure)) => Given::Pressure { at_level: pressure, level: 0.0 },
+        (None, None, None) => Given::Free,
+    };
+    Opening { at: wanted.at.into(), into: along, given }
 }
 
 /// The motion of a wall that makes waves: half of the stroke to either side, of a flap as the angle about its hinge.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::check_alone;
 use super::curve::{check_column_name, check_measured_alike, check_plot};
-use super::fluid::{check_current, check_periodic, check_sound_speed, check_waves};
+use super::fluid::{check_current, check_openings, check_periodic, check_sound_speed, check_waves};
 use super::made::check_owners_of_made;
 use super::several::{check_joints, check_several};
 use super::wet_rigid::check_wet_rigid;
@@ -65,6 +65,7 @@ pub(super) fn check_together(scene: &Scene) -> Verdict {
         check_waves(scene)?;
         check_periodic(scene)?;
         check_current(scene)?;
+        check_openings(scene)?;
         check_contact_columns(scene)?;
     }
     check_columns_together(scene)

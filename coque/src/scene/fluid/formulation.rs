@@ -43,6 +43,8 @@ pub struct WeaklyCompressible {
     pub start: FluidStart,
     /// Whether walls enclose the fluid without a free surface, and may pull.
     pub confined: bool,
+    /// Whether walls and structures let the fluid slip: no friction acts against them, neither that of the liquid nor the artificial one.
+    pub slip: bool,
 }
 
 /// Integrators of a fluid, each with options that suit it.

@@ -3,6 +3,7 @@
 pub(crate) mod current;
 pub(crate) mod formulation;
 pub(crate) mod geometry;
+pub(crate) mod openings;
 pub(crate) mod periodic;
 
 use schemars::JsonSchema;
@@ -14,6 +15,7 @@ use crate::scene::bounded::{NotNegative, Positive};
 use current::Current;
 use formulation::FluidFormulation;
 use geometry::FluidGeometry;
+use openings::FluidOpening;
 use periodic::PeriodicSides;
 
 /// A weakly compressible fluid of particles, in a plane or in space.
@@ -35,6 +37,11 @@ pub struct FluidScene {
     pub periodic: Option<PeriodicSides>,
     /// A zone that carries the water along.
     pub current: Option<Current>,
+    /// Sides by which water comes in and goes out.
+    #[serde(default)]
+    pub openings: Vec<FluidOpening>,
+    /// Particles that it has room for, with openings; left out, twice those at the start. A run that comes to need more ends.
+    pub most_particles: Option<usize>,
 }
 
 /// Fluids.
@@ -62,6 +69,11 @@ impl FluidScene {
     /// Dimensions of its particles, two or three.
     pub fn dimensions(&self) -> usize {
         self.geometry.dimensions()
+    }
+
+    /// Particles that it has room for, of so many at the start.
+    pub(crate) fn room(&self, at_start: usize) -> usize {
+        if self.openings.is_empty() { at_start } else { self.most_particles.unwrap_or(2 * at_start) }
     }
 
     /// The liquid.

@@ -2,6 +2,7 @@
 
 mod conditions;
 mod current;
+mod openings;
 mod periodic;
 mod speed;
 mod walls;
@@ -15,6 +16,7 @@ use crate::scene::scope::Scope;
 
 pub(super) use self::conditions::{check_load_of_fluid, check_unsupported, check_velocity_of_fluid};
 pub(super) use self::current::check_current;
+pub(super) use self::openings::check_openings;
 pub(super) use self::periodic::check_periodic;
 pub(super) use self::speed::check_sound_speed;
 pub(super) use self::waves::check_waves;
