@@ -37,8 +37,7 @@ impl<'a> Column<'a> {
             (way - up * up.dot(&way)).norm_squared()
         };
         let positions = &fluid.shown().positions;
-        let particles: Vec<usize> =
-            fluid.here().filter(|&i| across(&positions[i]) < 4.0 * h * h).collect();
+        let particles: Vec<usize> = fluid.here().filter(|&i| across(&positions[i]) < 4.0 * h * h).collect();
         let heights = particles.iter().map(|&i| up.dot(&positions[i]));
         let (bottom, top) =
             heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));

@@ -102,7 +102,9 @@ impl Fluid {
             return Err("is not across an axis of the fluid; give a unit vector along one");
         }
         if self.periods().is_some_and(|periods| periods.lengths[axis] != 0.0) {
-            return Err("lies across an axis along which the fluid goes round; take the axis out of the periodic sides");
+            return Err(
+                "lies across an axis along which the fluid goes round; take the axis out of the periodic sides",
+            );
         }
         if !opening.at.iter().all(|x| x.is_finite()) {
             return Err("has a place that is no number; give three");
@@ -117,6 +119,9 @@ impl Fluid {
         }
         if let Given::Velocity { course, .. } = &zone.opening.given {
             zone.velocity = course.value(0.0);
+        }
+        if along > 0.0 && zone.fed <= 0.0 {
+            return Err("has a level below the fluid there; raise it");
         }
         let outside = |x: &Vec3| (-zone.depth()..0.0).contains(&zone.distance(x)) && zone.holds(x);
         if self.present.positions.iter().any(outside) {
@@ -163,7 +168,8 @@ impl Fluid {
                     continue;
                 }
                 let beside = self.grid.beside(cell, &sorted.starts);
-                let others = beside.filled().iter().flat_map(|&(from, to)| &sorted.order[from as usize..to as usize]);
+                let others =
+                    beside.filled().iter().flat_map(|&(from, to)| &sorted.order[from as usize..to as usize]);
                 let overlaps = |&&other: &&u32| {
                     let other = boundary.copies.source(other as usize);
                     other != point && (boundary.points[other] - at).norm() < OVERLAP * self.spacing

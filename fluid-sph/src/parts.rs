@@ -18,8 +18,8 @@ pub struct Wall {
 /// The motion of a rigid wall: a turn about a centre that a translation carries along.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// Displacement \[L\], times its amplitude.
-    pub translation: Option<(Vec3, Amplitude)>,
+    /// Displacement \[L\], times its course.
+    pub translation: Option<(Vec3, Course)>,
     /// Turn.
     pub rotation: Option<Rotation>,
 }
@@ -34,7 +34,41 @@ pub struct Rotation {
     /// Angle where the amplitude is one \[rad\].
     pub by: f64,
     /// Course of the angle.
-    pub angle: Amplitude,
+    pub angle: Course,
+}
+
+/// The course of a motion in time.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Course {
+    /// An amplitude.
+    Amplitude(Amplitude),
+    /// Sines: `Σ f sin(ωt + φ)` of terms `[f, ω, φ]`, grown over a time as `smooth` grows \[–, 1/T, rad; T\].
+    Sines {
+        /// The terms.
+        terms: Vec<[f64; 3]>,
+        /// The time.
+        growth: f64,
+    },
+}
+
+impl From<Amplitude> for Course {
+    fn from(amplitude: Amplitude) -> Self {
+        Self::Amplitude(amplitude)
+    }
+}
+
+impl Course {
+    /// The factor at a time \[T\].
+    pub fn value(&self, time: f64) -> f64 {
+        match self {
+            Self::Amplitude(amplitude) => amplitude.value(time),
+            Self::Sines { terms, growth } => {
+                let sum: f64 =
+                    terms.iter().map(|[factor, omega, phase]| factor * libm::sin(omega * time + phase)).sum();
+                sum * Amplitude::Smooth(*growth).value(time)
+            }
+        }
+    }
 }
 
 /// Pressures at the start.

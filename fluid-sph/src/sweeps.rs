@@ -32,7 +32,8 @@ impl Fluid {
             openings,
             ..
         } = self;
-        let (here, points) = openings.as_deref().map_or((&[][..], &[][..]), |own| (&own.here[..], &own.near[..]));
+        let (here, points) =
+            openings.as_deref().map_or((&[][..], &[][..]), |own| (&own.here[..], &own.near[..]));
         let is_here = |i: usize| here.get(i).is_none_or(|here| *here);
         let count = present.positions.len();
         let place = |i: usize, slots: &[u32]| {

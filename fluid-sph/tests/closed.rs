@@ -21,7 +21,7 @@ fn pressed(counts: [usize; 3]) -> (f64, f64) {
     let beside = |p: &Vec3| (1..dimensions).all(|k| p[k] > 0.0 && p[k] < size[k]);
     let (piston, tank): (Vec<Vec3>, Vec<Vec3>) =
         basin(dimensions, size, spacing, true).points.into_iter().partition(|p| p.x > size[0] && beside(p));
-    let push = (Vec3::new(-STRAIN, 0.0, 0.0), Amplitude::Smooth(0.2));
+    let push = (Vec3::new(-STRAIN, 0.0, 0.0), Amplitude::Smooth(0.2).into());
     let motion = Some(Motion { translation: Some(push), rotation: None });
     let corner = if dimensions == 2 { [0.0, 0.0, -0.5 * spacing] } else { [0.0; 3] };
     let mut fluid = Fluid::new(Parts {

@@ -34,7 +34,7 @@ fn steady(across: usize) -> [f64; 4] {
         centre: Vec3::zeros(),
         axis: Vec3::z(),
         by: 1.0,
-        angle: Amplitude::Table(vec![[0.0, 0.0], [10.0, 10.0 * SPIN]]),
+        angle: Amplitude::Table(vec![[0.0, 0.0], [10.0, 10.0 * SPIN]]).into(),
     };
     let wall = |points, motion| Wall { points, motion };
     let (inner, outer) = ((INNER / spacing).round() as usize, (OUTER / spacing).round() as usize);

@@ -96,7 +96,7 @@ fn bad_parts_are_refused_with_their_value() {
     );
     said(
         |p| {
-            let angle = Amplitude::Constant;
+            let angle = Amplitude::Constant.into();
             let turn = Rotation { centre: Vec3::zeros(), axis: Vec3::zeros(), by: 1.0, angle };
             p.walls[0].motion = Some(Motion { translation: None, rotation: Some(turn) });
         },

@@ -17,7 +17,7 @@ fn walls_hand_over_impulses() {
         if dimensions == 3 {
             parts.gravity = Vec3::new(0.0, 0.0, -GRAVITY);
         }
-        let push = (Vec3::x() * 0.1, Amplitude::Smooth(0.2));
+        let push = (Vec3::x() * 0.1, Amplitude::Smooth(0.2).into());
         parts.walls[0].motion = Some(Motion { translation: Some(push), rotation: None });
         let mut fluid = Fluid::new(parts).unwrap();
         let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
@@ -45,7 +45,7 @@ fn walls_hand_over_impulses() {
 #[test]
 fn the_work_of_walls_is_counted() {
     let mut parts = pool(2, [1.0, 0.5, 0.0], [1.0, 0.8, 0.0], 0.05);
-    let push = (Vec3::x() * 0.5, Amplitude::Smooth(0.6));
+    let push = (Vec3::x() * 0.5, Amplitude::Smooth(0.6).into());
     parts.walls[0].motion = Some(Motion { translation: Some(push), rotation: None });
     let mut fluid = Fluid::new(parts).unwrap();
     let rows = common::recorded(&mut fluid, 0.6, 0.1);
@@ -127,7 +127,7 @@ fn a_drum_carries_its_fluid_along() {
         centre: Vec3::zeros(),
         axis: Vec3::z(),
         by: 1.0,
-        angle: Amplitude::Table(vec![[0.0, 0.0], [10.0, 5.0]]),
+        angle: Amplitude::Table(vec![[0.0, 0.0], [10.0, 5.0]]).into(),
     };
     let motion = Some(Motion { translation: None, rotation: Some(turn) });
     let mut fluid = Fluid::new(Parts {

@@ -142,7 +142,7 @@ fn flow_between_plates_starts_as_its_series() {
 #[test]
 fn a_plate_that_goes_through_the_sides_drags_the_water() {
     let viscosity = 0.5;
-    let way = Some((Vec3::x(), Amplitude::Table(vec![[0.0, 0.0], [100.0, 100.0]])));
+    let way = Some((Vec3::x(), Amplitude::Table(vec![[0.0, 0.0], [100.0, 100.0]]).into()));
     let mut fluid = channel(20, viscosity, Vec3::zeros(), Some(Motion { translation: way, rotation: None }));
     march(&mut fluid, 2.0, |_, _| ());
     let error = off(&fluid, |y| y);

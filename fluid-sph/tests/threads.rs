@@ -8,8 +8,8 @@ use std::alloc::System;
 use std::sync::Mutex;
 
 use common::{disorder, pool};
-use explicit_dynamics::{BoundaryDriven, BoundaryLayout, BoundaryState, Clock, Face, ThinLayout};
-use fluid_sph::{Fluid, Formulation, Periods, Scheme, Structure, WallRule};
+use explicit_dynamics::{Amplitude, BoundaryDriven, BoundaryLayout, BoundaryState, Clock, Face, ThinLayout};
+use fluid_sph::{Fluid, Formulation, Given, Opening, Periods, Scheme, Structure, WallRule};
 use peers::together;
 use sph_core::Vec3;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
@@ -147,6 +147,27 @@ fn periodic_sides_neither_allocate_nor_see_threads() {
     let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
     steps(&mut fluid, &mut clock, 3);
     assert_eq!(allocations(|| steps(&mut fluid, &mut clock, 10)), 0);
+}
+
+/// Rounds in which columns come in and go out.
+#[test]
+fn a_step_of_what_comes_and_goes_allocates_nothing() {
+    let _alone = ALONE.lock().unwrap();
+    let mut parts = pool(2, [0.8, 0.3, 0.0], [0.8, 0.4, 0.0], 0.02);
+    parts.walls[0].points.retain(|at| at.y < 0.0);
+    parts.velocities = vec![Vec3::x() * 0.5; parts.positions.len()];
+    let mut fluid = Fluid::new(parts).unwrap();
+    let of = |x: f64, into: f64, given: Given| Opening { at: Vec3::x() * x, into: Vec3::x() * into, given };
+    let velocity =
+        Given::Velocity { into: 0.5, course: Amplitude::Constant, profile: Vec::new(), level: None };
+    let ends = vec![of(0.0, 1.0, velocity), of(0.8, -1.0, Given::Pressure { at_level: 0.0, level: 0.3 })];
+    fluid.open(ends, 1000).unwrap();
+    let mut clock = Clock::start(&mut fluid, 1.0, 1.0, 0.0).unwrap();
+    steps(&mut fluid, &mut clock, 3);
+    let before = fluid.passed();
+    assert_eq!(allocations(|| steps(&mut fluid, &mut clock, 150)), 0);
+    let after = fluid.passed();
+    assert!(after[0][0] > before[0][0] + 45 && after[1][1] > before[1][1] + 45, "{before:?} {after:?}");
 }
 
 /// Between two deals, which still water needs once in thousands of steps.

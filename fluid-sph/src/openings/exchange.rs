@@ -7,9 +7,9 @@ use sph_core::Vec3;
 use crate::boundary::points::Boundary;
 use crate::cells::NOWHERE;
 use crate::liquid::Liquid;
+use crate::openings::Openings;
 use crate::openings::opening::Given;
 use crate::openings::zone::NEAR;
-use crate::openings::Openings;
 use crate::state::State;
 
 /// The first of a range that is free.

@@ -67,7 +67,14 @@ pub(crate) struct Zone {
 
 impl Zone {
     /// That of an opening, from the places of a fluid; `gravity` that along it, or zero \[L/T²\]. Without rows where no fluid is near.
-    pub fn new(opening: Opening, fluid: &[Vec3], spacing: f64, columns: usize, up: Vec3, gravity: f64) -> Self {
+    pub fn new(
+        opening: Opening,
+        fluid: &[Vec3],
+        spacing: f64,
+        columns: usize,
+        up: Vec3,
+        gravity: f64,
+    ) -> Self {
         let depth = columns as f64 * spacing;
         let mut zone = Self {
             opening,

@@ -62,7 +62,8 @@ impl Fluid {
         }
         if self.openings.as_ref().is_some_and(|openings| openings.full) {
             let (place, what, value) = ("the fluid".to_owned(), "number of particles", self.len() as f64);
-            let bound = "less than it has room for: more comes in than goes out; give it more room (most_particles)";
+            let bound =
+                "less than it has room for: more comes in than goes out; give it more room (most_particles)";
             return Err(OutOfRange { place, what, value, bound }.into());
         }
         if let Some((value, _)) = self.collapsed() {

@@ -72,9 +72,7 @@ impl Fluid {
         let middle = Prediction { start, accelerations, rates, drags, half, damping };
         let slot = |i: usize| sorted.slots[i] as usize;
         *grid = Grid::around(*dimensions, (0..count).map(|i| middle.place(i, slot(i))), width);
-        sorted.sort(*threads, grid, count, |i, before| {
-            Some(middle.place(i, before[i] as usize).into())
-        });
+        sorted.sort(*threads, grid, count, |i, before| Some(middle.place(i, before[i] as usize).into()));
         sorted.fill(*threads, *dimensions, grid, far, |i, _, before, _| {
             let slot = before[i] as usize;
             let density = middle.density(i, slot);

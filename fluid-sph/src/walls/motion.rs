@@ -53,9 +53,9 @@ mod tests {
     /// A quarter of a turn about a point, and a way that the centre takes with it; round-off of a sine.
     #[test]
     fn a_wall_turns_about_its_centre_and_goes_its_way() {
-        let quarter = Amplitude::Table(vec![[0.0, 0.0], [1.0, std::f64::consts::FRAC_PI_2]]);
+        let quarter = Amplitude::Table(vec![[0.0, 0.0], [1.0, std::f64::consts::FRAC_PI_2]]).into();
         let motion = Motion {
-            translation: Some((Vec3::new(0.0, 0.0, 3.0), Amplitude::Ramp(1.0))),
+            translation: Some((Vec3::new(0.0, 0.0, 3.0), Amplitude::Ramp(1.0).into())),
             rotation: Some(Rotation { centre: Vec3::x(), axis: Vec3::z() * 2.0, by: 1.0, angle: quarter }),
         };
         let point = Vec3::new(2.0, 0.0, 0.5);

@@ -1,7 +1,7 @@
 //! Waters that several march together.
 
 use explicit_dynamics::Amplitude;
-use fluid_sph::{Motion, Parts, Rotation, Start, Wall};
+use fluid_sph::{Course, Motion, Parts, Rotation, Start, Wall};
 use sph_core::Vec3;
 
 use crate::common::{disorder, lattice, pool};
@@ -24,7 +24,7 @@ pub fn tank(dimensions: usize, spacing: f64) -> Parts {
     parts.walls[0].points.iter_mut().for_each(|point| *point -= Vec3::x() * 0.05);
     parts.positions.iter_mut().for_each(|point| *point += Vec3::x() * 0.02);
     parts.start = Start::Uniform;
-    let to_and_fro = Amplitude::Table(vec![[0.0, 0.0], [0.1, 1.0], [0.3, -1.0], [0.5, 1.0]]);
+    let to_and_fro: Course = Amplitude::Table(vec![[0.0, 0.0], [0.1, 1.0], [0.3, -1.0], [0.5, 1.0]]).into();
     let rotation = Rotation {
         centre: Vec3::new(0.5, 0.0, 0.1),
         axis: if dimensions == 2 { Vec3::z() } else { Vec3::y() },
@@ -77,7 +77,7 @@ pub fn streams(dimensions: usize, part: f64, walls: bool) -> Parts {
     }
     if walls {
         let rows = |y: f64| lattice([-1.0, y, -0.5 * spacing], [300, 3, 1], spacing);
-        let along = (Vec3::x(), Amplitude::Table(vec![[0.0, 0.0], [1.0, -0.2 * sound]]));
+        let along = (Vec3::x(), Amplitude::Table(vec![[0.0, 0.0], [1.0, -0.2 * sound]]).into());
         let motion = Some(Motion { translation: Some(along), rotation: None });
         parts.walls.push(Wall { points: rows(-3.0 * spacing), motion });
         parts.walls.push(Wall { points: rows(0.2), motion: None });
