@@ -18,8 +18,9 @@ pub struct Options {
 }
 
 /// Scenes in the plane, seen straight.
-const PLANE: [&str; 11] = [
+const PLANE: [&str; 12] = [
     "baffle",
+    "channel-with-inflow",
     "crack-branching",
     "dam-break",
     "floating-box",

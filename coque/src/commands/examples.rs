@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 112] = [
+const EXAMPLES: [Example; 113] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -52,6 +52,7 @@ const EXAMPLES: [Example; 112] = [
     Example::new("capstan", 10.0, include_str!("../../../scenes/capstan.toml")),
     Example::new("clamped-cap", 2.0, include_str!("../../../scenes/clamped-cap.toml")),
     Example::new("column-between-tools", 0.1, include_str!("../../../scenes/column-between-tools.toml")),
+    Example::new("channel-with-inflow", 30.0, include_str!("../../../scenes/channel-with-inflow.toml")),
     Example::new("column-buckling", 0.1, include_str!("../../../scenes/column-buckling.toml")),
     Example::new("column-yielding", 0.2, include_str!("../../../scenes/column-yielding.toml")),
     Example::new("cook-yielding", 1.0, include_str!("../../../scenes/meshes/cook-yielding.toml")),

@@ -303,6 +303,10 @@ bounds! {
     Shared: f64, Range::Within(0.0, 1.0), "0 is usual, 0.5 in the published method";
     /// Courant number \[–\].
     Courant: f64, Range::Within(0.001, 0.5), "0.3 is usual; at 0.6 still water does not stay at rest";
+    /// How much higher the peak of a spectrum of waves is than that of a sea raised to the full \[–\].
+    Peakedness: f64, Range::Within(1.0, 10.0), "3.3 is usual, 1 is the spectrum of Pierson and Moskowitz";
+    /// Waves of which a sea is the sum.
+    Components: usize, Range::Within(8.0, 1000.0), "64 is usual; a sea of few waves repeats itself";
     /// Depth over half of a thickness up to which contact sets in softly \[–\].
     Rounding: f64, Range::Within(0.0, 0.125), "0.05 is usual in time, 0 without; it has to end well before the barrier at one half";
     /// Coefficient of friction \[–\].

@@ -154,4 +154,4 @@ pub use walls::{
     Basin, Obstacle, Polyline, WallGeometry, WallMotion, WallRotation, WallSurface, WallTranslation,
     WallsScene,
 };
-pub use waves::{Beach, WallWaves};
+pub use waves::{Beach, SpectrumShape, WallWaves, WaveSpectrum};

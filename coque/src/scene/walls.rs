@@ -123,7 +123,7 @@ impl WallsScene {
     /// Whether its motion turns it.
     pub(crate) fn turns(&self) -> bool {
         let turns = |motion: &WallMotion| {
-            motion.rotation.is_some() || motion.waves.is_some_and(|own| own.hinge.is_some())
+            motion.rotation.is_some() || motion.waves.as_ref().is_some_and(|own| own.hinge.is_some())
         };
         self.motion.as_ref().is_some_and(turns)
     }

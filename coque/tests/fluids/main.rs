@@ -12,6 +12,7 @@ mod floating_shapes;
 mod fluid;
 mod fluid_scenes;
 mod moored;
+mod openings;
 mod periodic;
 mod unseen_contact;
 mod waves;

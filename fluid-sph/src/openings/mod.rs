@@ -23,7 +23,7 @@
 //!
 //! # Room
 //!
-//! Numbers of particles are lent: who goes out leaves its number to who comes in, the lowest first. A fluid has room for as many as it was told; no step
+//! Numbers of particles are lent: who goes out leaves its number to who comes in, the lowest first. A fluid has room for as many as is asked for; no step
 //! allocates, and one that has no room ends the run (src/time/bounds.rs). What comes and goes has its energy with it, which is work from outside.
 
 mod exchange;
@@ -58,7 +58,7 @@ impl Openings {
         let since = self.since.iter().flat_map(|at| [at.x, at.y, at.z]);
         let of = |zone: &Zone| {
             let rows = zone.rows.iter().map(|row| row.gone);
-            let own = [zone.velocity, zone.fed, zone.came as f64, zone.went as f64];
+            let own = [zone.velocity, zone.fed, zone.mean, zone.came as f64, zone.went as f64];
             rows.chain(own).collect::<Vec<f64>>()
         };
         flags.chain(since).chain(self.zones.iter().flat_map(of)).collect()
@@ -72,7 +72,7 @@ impl Openings {
         self.since.iter_mut().for_each(|at| *at = Vec3::from([(); 3].map(|()| number())));
         for zone in &mut self.zones {
             zone.rows.iter_mut().for_each(|row| row.gone = number());
-            (zone.velocity, zone.fed) = (number(), number());
+            (zone.velocity, zone.fed, zone.mean) = (number(), number(), number());
             (zone.came, zone.went) = (number() as u64, number() as u64);
         }
         self.full = false;

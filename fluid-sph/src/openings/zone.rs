@@ -12,8 +12,9 @@ const BESIDE: f64 = 2.0;
 /// How far before an opening the depth of the water is counted, and how high it may stand, in depths at the start.
 const COUNTED: f64 = 2.0;
 const HIGHEST: f64 = 2.0;
-/// Time in which rows follow the depth, in √(depth/g): some ways of a wave along what is counted.
+/// Times in which rows follow the depth, and its mean that, in √(depth/g): some ways of a wave along what is counted, and longer than waves of a channel take that are to go out.
 const LAG: f64 = 5.0;
+const SLOW: f64 = 20.0;
 /// Least height of a layer in spacings: that of one layer of half a spacing.
 const LOWEST: f64 = 0.5;
 /// Part of a spacing within which places agree: rounding.
@@ -53,8 +54,9 @@ pub(crate) struct Zone {
     count_at_start: usize,
     /// Particles there now.
     pub count: usize,
-    /// Depth up to which rows are fed \[L\].
+    /// Depth up to which rows are fed, and its mean over some time \[L\].
     pub fed: f64,
+    pub mean: f64,
     /// Box across it \[L\].
     low: Vec3,
     high: Vec3,
@@ -89,6 +91,7 @@ impl Zone {
             count_at_start: 0,
             count: 0,
             fed: 0.0,
+            mean: 0.0,
             low: Vec3::repeat(f64::INFINITY),
             high: Vec3::repeat(f64::NEG_INFINITY),
             velocity: 0.0,
@@ -123,6 +126,7 @@ impl Zone {
             Given::Velocity { level: Some(level), .. } | Given::Pressure { level, .. } => level - zone.bottom,
             _ => zone.depth_at_start,
         };
+        zone.mean = zone.fed;
         zone.count_at_start = fluid.iter().filter(|at| zone.counts(at)).count();
         zone.count = zone.count_at_start;
         zone.add_rows_above();
@@ -185,10 +189,17 @@ impl Zone {
         self.opening.at - self.opening.into * self.depth()
     }
 
+    /// By how much the velocity gives way to a wave that comes out of the fluid: `√(g/h) (h − h̄)`, with which it goes on \[L/T\].
+    fn gives_way(&self) -> f64 {
+        if self.follows() { (self.gravity / self.mean).sqrt() * (self.fed - self.mean) } else { 0.0 }
+    }
+
     /// Velocity into the fluid at a height \[L/T\].
     pub fn velocity_at(&self, height: f64) -> f64 {
         match &self.opening.given {
-            Given::Velocity { into, profile, .. } => into * self.velocity * Given::factor(profile, height),
+            Given::Velocity { into, profile, .. } => {
+                into * self.velocity * Given::factor(profile, height) - self.gives_way()
+            }
             _ => self.velocity,
         }
     }
@@ -212,8 +223,10 @@ impl Zone {
         boundary.advance = boundary.advance.max(fastest.sqrt() * dt);
         if self.follows() {
             let depth = self.depth_at_start * self.count as f64 / self.count_at_start as f64;
-            let lag = LAG * (self.depth_at_start / self.gravity).sqrt();
-            self.fed += (depth.min(HIGHEST * self.depth_at_start) - self.fed) * (dt / lag).min(1.0);
+            let time = (self.depth_at_start / self.gravity).sqrt();
+            let depth = depth.min(HIGHEST * self.depth_at_start);
+            self.fed += (depth - self.fed) * (dt / (LAG * time)).min(1.0);
+            self.mean += (self.fed - self.mean) * (dt / (SLOW * time)).min(1.0);
         }
         let apart = self.apart();
         for number in 0..self.rows.len() {

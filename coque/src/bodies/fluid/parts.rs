@@ -1,13 +1,21 @@
 //! Liquid, method and start of a fluid, from the scene's words to those of `fluid-sph`.
 
 use explicit_dynamics::Amplitude;
-use fluid_sph::{Beach, Current, Formulation, Given, Liquid, Motion, Opening, Rotation, Scheme, Waves};
+use fluid_sph::{
+    Beach, Course, Current, Formulation, Given, Liquid, Motion, Opening, Rotation, Scheme, Spectrum, Waves,
+    way_of_wall,
+};
 use sph_core::Vec3;
 
-use crate::scene::{self, FluidMethod, FluidOpening, FluidScene, WallMotion, WallWaves};
+use crate::scene::{
+    self, FluidMethod, FluidOpening, FluidScene, SpectrumShape, WallMotion, WallWaves, WaveSpectrum,
+};
 
 /// Part of its height with which a wave comes back from a beach, and of what it differs by with which water leaves a current.
 const LEFT: f64 = 0.02;
+
+/// Waves of which a sea is the sum, if nothing is said.
+const COMPONENTS: usize = 64;
 
 /// The liquid.
 pub(in crate::bodies) fn liquid(fluid: &FluidScene) -> Liquid {
@@ -94,7 +102,10 @@ fn making(wanted: &WallWaves, gravity: &Vec3) -> Motion {
     let (height, period, depth) = (wanted.height.get(), wanted.period.get(), wanted.depth.get());
     let waves = Waves { period, depth, gravity: gravity.norm() };
     let along = Vec3::from(wanted.along).normalize();
-    let amplitude = Amplitude::Sine { period, growth: Some(wanted.growth()) };
+    if let Some(spectrum) = &wanted.spectrum {
+        return irregular(wanted, spectrum, gravity);
+    }
+    let amplitude: Course = Amplitude::Sine { period, growth: Some(wanted.growth()) }.into();
     let Some(hinge) = wanted.hinge else {
         let half = 0.5 * height / waves.of_piston();
         return Motion { translation: Some((along * half, amplitude)), rotation: None };
@@ -109,6 +120,29 @@ fn making(wanted: &WallWaves, gravity: &Vec3) -> Motion {
     }
 }
 
+/// The motion of a wall that makes irregular waves.
+fn irregular(wanted: &WallWaves, spectrum: &WaveSpectrum, gravity: &Vec3) -> Motion {
+    let shape = match &spectrum.shape {
+        SpectrumShape::PiersonMoskowitz => Spectrum::Jonswap { peakedness: 1.0 },
+        SpectrumShape::Jonswap(peakedness) => Spectrum::Jonswap { peakedness: peakedness.get() },
+        SpectrumShape::Table(points) => Spectrum::Table(points.clone()),
+    };
+    let (depth, flap) = (wanted.depth.get(), wanted.hinge.is_some());
+    let peak = 1.0 / wanted.period.get();
+    let count = spectrum.components.map_or(COMPONENTS, |count| count.get());
+    let components = shape.components(wanted.height.get(), peak, count, spectrum.seed);
+    let mut terms = way_of_wall(&components, depth, gravity.norm(), flap);
+    let along = Vec3::from(wanted.along).normalize();
+    let growth = wanted.growth();
+    let Some(hinge) = wanted.hinge else {
+        return Motion { translation: Some((along, Course::Sines { terms, growth })), rotation: None };
+    };
+    terms.iter_mut().for_each(|[way, ..]| *way /= depth);
+    let axis = -gravity.normalize().cross(&along);
+    let angle = Course::Sines { terms, growth };
+    Motion { translation: None, rotation: Some(Rotation { centre: hinge.into(), axis, by: 1.0, angle }) }
+}
+
 /// The motion of walls, under a gravity \[L/T²\].
 pub(in crate::bodies) fn motion(wanted: &WallMotion, gravity: &Vec3) -> Motion {
     if let Some(waves) = &wanted.waves {
@@ -117,12 +151,12 @@ pub(in crate::bodies) fn motion(wanted: &WallMotion, gravity: &Vec3) -> Motion {
     let translation = wanted.translation.as_ref();
     let rotation = wanted.rotation.as_ref();
     Motion {
-        translation: translation.map(|motion| (Vec3::from(motion.by), motion.amplitude.clone())),
+        translation: translation.map(|motion| (Vec3::from(motion.by), motion.amplitude.clone().into())),
         rotation: rotation.map(|motion| Rotation {
             centre: Vec3::from(motion.centre),
             axis: Vec3::from(motion.axis).normalize(),
             by: motion.by.to_radians(),
-            angle: motion.amplitude.clone(),
+            angle: motion.amplitude.clone().into(),
         }),
     }
 }

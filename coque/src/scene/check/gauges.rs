@@ -40,7 +40,21 @@ pub(super) fn check_cut(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Ve
 /// Refuses a point and a section where nothing is measured at one, and what needs one without it.
 pub(super) fn check_gauge(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
     check_point(body, s, probe)?;
-    check_section(body, s, probe)
+    check_section(body, s, probe)?;
+    check_staying(body, s, probe)
+}
+
+/// Of particles that come and go through openings no set stays.
+fn check_staying(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    let BodyScene::Fluid(fluid) = body else { return Ok(()) };
+    if fluid.openings.is_empty() || probe.at.is_some() || probe.through.is_some() {
+        return Ok(());
+    }
+    let value = format!("\"{}\" of particles that come and go through openings", probe.of.word());
+    let repair =
+        "measure at a point (`pressure`, `level`, `wet-length` with `at`) or through a section (`flux`)";
+    let fault = s.fault(&probe.at("of"), &value, "a gauge at a place that stays", repair);
+    Err(SceneError::Choice(fault))
 }
 
 fn check_point(body: &BodyScene, s: &Scope<'_>, probe: &OnSet<'_, Probe>) -> Verdict {

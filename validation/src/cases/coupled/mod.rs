@@ -7,6 +7,7 @@ pub mod column;
 mod floating_box;
 mod gate;
 mod gate_alone;
+mod irregular_waves;
 pub mod measure;
 mod plate;
 mod ring;
@@ -39,6 +40,7 @@ pub fn all() -> Vec<Case> {
         sprung_floor::case(),
         floating_box::case(),
         wave_flume::case(),
+        irregular_waves::case(),
         finer::leaning_wall(measure::SHELL),
     ]
 }

@@ -101,7 +101,7 @@ fn turned(across: usize, formulation: Formulation) -> Result<Outcome, Box<dyn Er
     let inner = (0..deep).flat_map(|k| ring(RADII[0] - from(k), dx)).collect();
     let outer = (0..deep).flat_map(|k| ring(RADII[1] + from(k), dx)).collect();
     let angle = Amplitude::Table(vec![[0.0, 0.0], [2.0 * DURATION, 2.0 * DURATION]]);
-    let turn = Rotation { centre: Vec3::zeros(), axis: Vec3::z(), by: RATE, angle };
+    let turn = Rotation { centre: Vec3::zeros(), axis: Vec3::z(), by: RATE, angle: angle.into() };
     let turning = Motion { translation: None, rotation: Some(turn) };
     let parts = water(2, dx, positions, SOUND, formulation);
     let mut fluid = Fluid::new(Parts {

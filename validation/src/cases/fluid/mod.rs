@@ -2,6 +2,7 @@
 
 mod basin;
 mod between_plates;
+mod channel_with_inflow;
 mod couette;
 pub mod dam_break;
 mod drop;
@@ -30,6 +31,7 @@ pub fn all() -> Vec<Case> {
         speed::case(),
         tilted_basin::case(),
         open_channel::case(),
+        channel_with_inflow::case(),
         finer::collapsing_column(KICKS),
     ]
 }

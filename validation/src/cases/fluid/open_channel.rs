@@ -46,7 +46,7 @@ pub fn case() -> Case {
 }
 
 /// The greater depth at which water of a discharge \[m²/s\] has a head \[m\], by halving from the critical depth on; none where there is none.
-fn depth(head: f64, flow: f64) -> Option<f64> {
+pub(super) fn depth(head: f64, flow: f64) -> Option<f64> {
     let square = flow * flow / (2.0 * GRAVITY);
     let own = |h: f64| h + square / (h * h);
     let (mut low, mut high) = (libm::cbrt(2.0 * square), head);

@@ -80,7 +80,12 @@ fn check_place(s: &Scope<'_>, i: usize, fluid: &FluidScene, opening: &FluidOpeni
     let value = || format!("{:?}", opening.into);
     if into[axis].abs() < 1.0 - ALONG {
         let bound = "along an axis: rows of particles stand across it";
-        return Err(s.value(&path("into"), value(), bound, "turn the scene so that water comes in along an axis"));
+        return Err(s.value(
+            &path("into"),
+            value(),
+            bound,
+            "turn the scene so that water comes in along an axis",
+        ));
     }
     if fluid.periodic.is_some_and(|periodic| periodic.sides()[axis].is_some()) {
         let bound = format!("across {}, along which the fluid is periodic", AXES[axis]);
@@ -111,10 +116,12 @@ fn check_given(
         check_amplitude(view, &s.path(&path("amplitude")), amplitude)?;
     }
     let course = *amplitude != Amplitude::Constant;
-    for (given, key) in [(course, "amplitude"), (profile.is_some(), "profile")] {
+    for (given, key, value) in
+        [(course, "amplitude", "a course of no velocity"), (profile.is_some(), "profile", "one of no velocity")]
+    {
         if given && velocity.is_none() {
             let repair = "give a velocity, or remove it";
-            let fault = s.fault(&path(key), "that of no velocity", "left out without `velocity`", repair);
+            let fault = s.fault(&path(key), value, "none without `velocity`", repair);
             return Err(SceneError::Choice(fault));
         }
     }

@@ -11,7 +11,7 @@ use crate::scene::fluid::geometry::Extent;
 use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::scope::Scope;
 use crate::scene::walls::WallMotion;
-use crate::scene::waves::{Beach, WallWaves};
+use crate::scene::waves::{Beach, SpectrumShape, WallWaves};
 
 /// Cosine of the angle to gravity beyond which a direction is not horizontal: rounding.
 const LEVEL: f64 = 1e-9;
@@ -142,10 +142,28 @@ fn check_made(s: &Scope<'_>, waves: &WallWaves, gravity: &Vec3, pool: Option<&Po
             "lower it, or give a longer period",
         ));
     }
+    if let Some(SpectrumShape::Table(points)) = waves.spectrum.as_ref().map(|spectrum| &spectrum.shape) {
+        check_table(s, points)?;
+    }
     pool.map_or(Ok(()), |pool| pool.check_depth(s, "motion.waves.depth", waves.depth.get()))?;
     let Some(hinge) = waves.hinge else { return Ok(()) };
     s.sized_all("motion.waves.hinge", &hinge)?;
     pool.map_or(Ok(()), |pool| pool.check_hinge(s, &hinge))
+}
+
+/// Densities that frequencies have.
+fn check_table(s: &Scope<'_>, points: &[[f64; 2]]) -> Verdict {
+    let path = "motion.waves.spectrum.shape.table";
+    for (i, point) in points.iter().enumerate() {
+        s.sized_all(&format!("{path}[{i}]"), point)?;
+    }
+    let ascends = points.len() > 1 && points.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+    let positive = points.iter().all(|[frequency, density]| *frequency > 0.0 && *density >= 0.0);
+    if ascends && positive && points.iter().any(|[_, density]| *density > 0.0) {
+        return Ok(());
+    }
+    let bound = "a list of [frequency, density] with ascending frequencies above zero, no density below it and one above";
+    Err(s.value(path, "something else", bound, "sort it by frequency, and leave out what has no energy"))
 }
 
 fn check_beach(s: &Scope<'_>, fluid: &FluidScene, beach: &Beach, gravity: &Vec3) -> Verdict {

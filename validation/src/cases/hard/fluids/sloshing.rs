@@ -64,7 +64,7 @@ fn rolled(method: &str, deep: usize) -> Result<Outcome, Box<dyn Error>> {
         centre,
         axis: Vec3::z(),
         by: ROLL,
-        angle: Amplitude::Sine { period: PERIOD, growth: None },
+        angle: Amplitude::Sine { period: PERIOD, growth: None }.into(),
     };
     // With its lid: waves that break at a wall throw drops over half a metre.
     let size = Vec3::new(long, high, 0.0);
