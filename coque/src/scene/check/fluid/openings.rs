@@ -116,9 +116,10 @@ fn check_given(
         check_amplitude(view, &s.path(&path("amplitude")), amplitude)?;
     }
     let course = *amplitude != Amplitude::Constant;
-    for (given, key, value) in
-        [(course, "amplitude", "a course of no velocity"), (profile.is_some(), "profile", "one of no velocity")]
-    {
+    for (given, key, value) in [
+        (course, "amplitude", "a course of no velocity"),
+        (profile.is_some(), "profile", "one of no velocity"),
+    ] {
         if given && velocity.is_none() {
             let repair = "give a velocity, or remove it";
             let fault = s.fault(&path(key), value, "none without `velocity`", repair);
