@@ -15,10 +15,11 @@ impl Solid {
     /// it or sums over it, in the same order. Its statics are not shared.
     ///
     /// # Errors
-    /// [`SolidError::NotShared`], and the solid stays as it was: plates of two sheets, solids in a fluid, forces by a function or from other bodies.
+    /// [`SolidError::NotShared`], and the solid stays as it was: plates of two sheets, solids in a fluid, pressures that follow, forces by a function or from other bodies.
     pub fn share(&mut self, peers: Box<dyn Peers>) -> Result<(), SolidError> {
         let refusals = [
             (self.wetted.is_some(), "a solid in a fluid"),
+            (!self.following.is_empty(), "a solid under a pressure that follows"),
             (self.push.is_some(), "a solid on which a function exerts forces"),
             (!self.exerted.is_empty(), "a solid on which other bodies exert forces"),
         ];

@@ -9,6 +9,7 @@ use crate::bonds::solid_bonds::SolidBonds;
 use crate::conditions::AppliedLoad;
 use crate::constraint::Constraints;
 use crate::error::SolidError;
+use crate::following::FollowingPressure;
 use crate::fracture::Breakage;
 use crate::mirror::{Borne, Mirror, Passed};
 use crate::parts::{Idealisation, Parts};
@@ -37,6 +38,8 @@ pub struct Solid {
     pub(crate) internal: Vec<Row>,
     /// Loads of the last evaluation \[F\]; empty without any.
     pub(crate) external: Vec<Vec3>,
+    /// Pressures that follow its surface, in marches.
+    pub(crate) following: Vec<FollowingPressure>,
     /// Forces that a function exerts.
     pub(crate) push: Option<Box<Push>>,
     /// Forces that other bodies exert on nodes; empty of a solid alone.
@@ -134,6 +137,7 @@ impl Solid {
             masses,
             internal: vec![[0.0; 4]; count],
             external: if loads.is_empty() { Vec::new() } else { vec![Vec3::zeros(); count] },
+            following: Vec::new(),
             push: None,
             exerted: Vec::new(),
             passed: Vec::new(),
@@ -330,6 +334,9 @@ impl Solid {
     /// The same with all that a fluid, a function and other bodies exert.
     pub(crate) fn evaluate_external(&mut self, at: Instant) {
         self.evaluate_loads(at);
+        for pressure in &self.following {
+            pressure.add(at, &self.rows, &mut self.external);
+        }
         if let Some(surface) = &self.wetted {
             surface.add(&self.rates, &mut self.external);
         }
@@ -354,6 +361,21 @@ impl Solid {
     pub(crate) fn add_exerted(&mut self, nodes: &[u32], forces: &[[f64; 3]]) {
         self.external.resize(self.rest.len(), Vec3::zeros());
         self.exerted.extend(nodes.iter().copied().zip(forces.iter().map(|&force| force.into())));
+    }
+
+    /// Lets a pressure follow its surface from now on, in marches: statics have no stiffness of it.
+    ///
+    /// # Errors
+    /// [`SolidError::NoSuchNode`] for a surface that other nodes carry.
+    pub fn follow(&mut self, pressure: FollowingPressure) -> Result<(), SolidError> {
+        let (surface, count) = (&pressure.surface, self.block.len());
+        let mut bearers = (0..surface.vertices.len()).flat_map(|vertex| surface.bearers(vertex));
+        if let Some(&(node, _)) = bearers.find(|(node, _)| *node as usize >= count) {
+            return Err(SolidError::NoSuchNode { what: "a pressure that follows", node, count });
+        }
+        self.external.resize(self.rest.len(), Vec3::zeros());
+        self.following.push(pressure);
+        Ok(())
     }
 
     /// Lets a function exert forces on all nodes from now on, in marches.

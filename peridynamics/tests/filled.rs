@@ -7,7 +7,7 @@ use explicit_dynamics::Amplitude;
 use implicit_statics::{Equilibrium, linear_response};
 use lattices::{formulation, parts};
 use peridynamics::*;
-use sph_core::{ClosedSurface, Facet, Filled, Vec3, by_node, spread};
+use sph_core::{Carried, ClosedSurface, Facet, Filled, Vec3, by_node, spread};
 
 /// An eighth of a hollow sphere, its faces triangles; those of the cavity come first, then those of the outer sphere.
 fn octant(inner: f64, outer: f64, n: usize) -> (Vec<Vec3>, Vec<[u32; 3]>, usize) {
@@ -68,6 +68,69 @@ fn lame(r: f64, [a, b]: [f64; 2]) -> f64 {
     let nu = 0.25;
     let (a3, b3) = (a.powi(3), b.powi(3));
     a3 / (b3 - a3) * ((1.0 - 2.0 * nu) * r + (1.0 + nu) * b3 / (2.0 * r * r))
+}
+
+/// The forces on nodes of a pressure that follows all of a hollow ball, its nodes put to places; and the volume under the triangles that they carry.
+fn followed(filled: &Filled, surface: &Carried, place: impl Fn(&Vec3) -> Vec3) -> (Vec<Vec3>, f64) {
+    let material = Elastic { young: 1.0, poisson: 0.25, density: 1.0 };
+    let formulation = Formulation { horizon: 2.015, ..formulation(Space::Solid, Law::StateBased) };
+    let mut solid = Solid::new(parts(filled.block.clone(), material, formulation)).unwrap();
+    let pressure =
+        FollowingPressure { surface: surface.clone(), pressure: 0.3, amplitude: Amplitude::Constant };
+    solid.follow(pressure).unwrap();
+    for (node, x) in filled.block.positions.iter().enumerate() {
+        solid.put(node, place(x));
+    }
+    let mut system = StaticSolid::new(solid);
+    system.evaluate(1.0);
+    let forces = (0..filled.block.len()).map(|node| system.solid().external_force(node)).collect();
+    let places = surface.places(|node| place(&filled.block.positions[node as usize]));
+    let cone = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|corner| places[corner as usize]);
+        a.dot(&b.cross(&c)) / 6.0
+    };
+    (forces, surface.triangles.iter().map(cone).sum())
+}
+
+#[test]
+fn a_pressure_that_follows_does_the_work_of_the_volume_it_takes() {
+    let (vertices, triangles, cavity) = octant(1.0, 2.0, 6);
+    let surface = ClosedSurface::new(vertices, triangles).unwrap();
+    let filled = surface.filled(0.25).unwrap();
+    let carried = surface.carried(&filled.block, 0.25);
+    let edges = carried.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+    let length = |(a, b): (u32, u32)| (carried.vertices[a as usize] - carried.vertices[b as usize]).norm();
+    assert!(edges.map(length).fold(0.0, f64::max) <= 0.25);
+    let bend = |x: &Vec3| x + Vec3::new(0.1 * x.y * x.z, 0.2 * x.x * x.x - 0.1 * x.z, 0.15 * x.y * x.y);
+    let (forces, volume) = followed(&filled, &carried, bend);
+    let size: f64 = forces.iter().map(|force| force.norm()).sum();
+    // Closed: neither resultant nor moment, whatever the nodes do. Measured 1e-15.
+    let resultant: Vec3 = forces.iter().sum();
+    let moment: Vec3 =
+        filled.block.positions.iter().zip(&forces).map(|(x, force)| bend(x).cross(force)).sum();
+    assert!(resultant.norm() < 1e-13 * size && moment.norm() < 1e-12 * size, "{resultant} {moment}");
+    // −p ∂V/∂x along a way of the nodes, against the difference of the volume.
+    let way = |x: &Vec3| Vec3::new(x.z * x.z, x.x * x.y, -x.x);
+    let step = 1e-5;
+    let at = |sign: f64| followed(&filled, &carried, |x| bend(x) + way(x) * (sign * step)).1;
+    let (taken, work): (f64, f64) = (
+        (at(1.0) - at(-1.0)) / (2.0 * step),
+        filled.block.positions.iter().zip(&forces).map(|(x, f)| f.dot(&way(x))).sum(),
+    );
+    assert!((work + 0.3 * taken).abs() < 1e-9 * size, "{work} {taken} {volume}");
+    // Turned with the nodes.
+    let turn = nalgebra::Rotation3::new(Vec3::new(0.4, -1.1, 0.7));
+    let (turned, _) = followed(&filled, &carried, |x| turn * bend(x) + Vec3::new(3.0, 1.0, -2.0));
+    let off = forces.iter().zip(&turned).map(|(f, g)| (turn * f - g).norm()).fold(0.0, f64::max);
+    assert!(off < 1e-13 * size, "{off}");
+    // At rest and on a part: the pressure times the area of the triangles, a uniform stretch by the cofactor.
+    let part = carried.only(|number| (carried.part_of[number] as usize) < cavity);
+    let stretch = nalgebra::Matrix3::new(1.2, 0.1, 0.0, 0.0, 0.9, 0.2, -0.1, 0.0, 1.1);
+    let area: Vec3 =
+        filled.facets.iter().filter(|f| (f.triangle as usize) < cavity).map(|facet| facet.area).sum();
+    let wanted = stretch.try_inverse().unwrap().transpose() * stretch.determinant() * area * -0.3;
+    let found: Vec3 = followed(&filled, &part, |x| stretch * x).0.iter().sum();
+    assert!((found - wanted).norm() < 1e-13 * size, "{found} {wanted}");
 }
 
 /// Mean radial displacement of the nodes of a part of the surface over that of Lamé at their places.

@@ -168,7 +168,7 @@ mod surface;
 mod walls;
 
 pub use block::{Block, BlockLattice, CutOut, NodePlaces};
-pub use block::{ClosedSurface, Facet, Filled, Spread, SurfaceFault, by_node, spread};
+pub use block::{Carried, ClosedSurface, Facet, Filled, FilledCells, Spread, SurfaceFault, by_node, spread};
 pub use block::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use error::SpaceError;
 pub use held_directions::HeldDirections;

@@ -1,6 +1,7 @@
 //! Closed surfaces filled with nodes: volume, centroid and area are those of the surface, wherever it lies in the lattice.
 #![allow(clippy::unwrap_used)] // set-up that fails is a test that fails
 
+mod cells;
 mod solids;
 
 use approx::assert_relative_eq;

@@ -85,6 +85,7 @@ fn tip(weight: Weight) -> Result<f64, Box<dyn Error>> {
     let mut body = Galerkin::new(Parts {
         cells: Hexahedra::between(&planes)?,
         rule: 3,
+        cut: None,
         basis: Basis::Quadratic,
         support: Support::sphere(2.5),
         weight,

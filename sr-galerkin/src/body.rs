@@ -101,7 +101,7 @@ impl Galerkin {
         };
         let stride = space.force_stride();
         Ok(Self {
-            masses: masses(&space, parts.density),
+            masses: masses(&space, parts.density, parts.cut.as_ref().map(|cut| cut.shares.as_slice())),
             parameters: vec![0.0; 3 * count],
             accepted: vec![0.0; 3 * count],
             history: vec![rest; space.places.len()],
@@ -220,9 +220,9 @@ impl Galerkin {
     }
 }
 
-/// Masses of nodes \[M\], their images' with them: integrals of the shape functions; where one is not positive, those of their squares,
-/// scaled to the whole.
-fn masses(space: &Discretisation, density: f64) -> Vec<f64> {
+/// Masses of nodes \[M\], their images' with them: integrals of the shape functions; where one is not positive, the shares of the nodes in cells that a surface cuts, of
+/// whole cells those of their squares, scaled to the whole.
+fn masses(space: &Discretisation, density: f64, shares: Option<&[f64]>) -> Vec<f64> {
     let mut integrals = space.integrals[..space.nodes.len()].to_vec();
     for (image, own) in space.integrals.iter().enumerate().skip(space.nodes.len()) {
         let node = space.images.real(image as u32).0 as usize;
@@ -231,6 +231,9 @@ fn masses(space: &Discretisation, density: f64) -> Vec<f64> {
     let sum = |k: usize| integrals.iter().map(|integral| integral[k]).sum::<f64>();
     if integrals.iter().all(|integral| integral[0] > 0.0) {
         return integrals.iter().map(|integral| density * integral[0]).collect();
+    }
+    if let Some(shares) = shares {
+        return shares.iter().map(|share| density * share).collect();
     }
     let scale = density * sum(0) / sum(1);
     integrals.iter().map(|integral| scale * integral[1]).collect()

@@ -5,7 +5,7 @@ use sph_core::{MovingLeastSquares, PointShape, Vec3, VolumePoint};
 
 use crate::error::GalerkinError;
 use crate::images::Images;
-use crate::parts::Parts;
+use crate::parts::{CutCells, Parts};
 
 /// Lanes that the rows of a cell are padded to.
 pub(crate) const LANES: usize = 4;
@@ -76,6 +76,20 @@ impl Cell {
     }
 }
 
+/// Points of the cells.
+fn quadrature(parts: &Parts) -> Result<Vec<Vec<VolumePoint>>, GalerkinError> {
+    let Some(CutCells { points, shares }) = &parts.cut else {
+        return Ok(parts.cells.volume_points(parts.rule)?);
+    };
+    let (cells, each) = (parts.cells.cells.len(), parts.rule.pow(3));
+    let unfit = !(1..=4).contains(&parts.rule)
+        || points.len() != cells
+        || shares.len() != parts.nodes.len()
+        || shares.iter().any(|share| !(*share > 0.0))
+        || points.iter().any(|own| own.len() != each || own.iter().any(|point| !(point.volume >= 0.0)));
+    if unfit { Err(GalerkinError::Points { cells, each }) } else { Ok(points.clone()) }
+}
+
 /// Parts of a rising list that rise by one.
 pub(crate) fn runs(nodes: &[u32]) -> Vec<(u32, u32)> {
     let mut out: Vec<(u32, u32)> = Vec::new();
@@ -110,7 +124,7 @@ pub(crate) struct Discretisation {
 
 impl Discretisation {
     pub fn new(parts: &Parts, images: Images, squares: &MovingLeastSquares) -> Result<Self, GalerkinError> {
-        let quadrature = parts.cells.volume_points(parts.rule)?;
+        let quadrature = quadrature(parts)?;
         let slice = parts.rule * parts.rule;
         let built = quadrature
             .par_iter()

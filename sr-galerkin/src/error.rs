@@ -11,6 +11,16 @@ pub enum GalerkinError {
     /// No background cells.
     #[error(transparent)]
     Cells(#[from] HexahedraError),
+    /// Points that are not those of the cells.
+    #[error(
+        "{cells} background cells take {each} points each, the cube of 1 to 4, with volumes that are not negative, and each node a share of them"
+    )]
+    Points {
+        /// Number of cells.
+        cells: usize,
+        /// Points of each.
+        each: usize,
+    },
     /// A number that is not finite.
     #[error("{what} {number} is {value}; it must be finite")]
     NotFinite {

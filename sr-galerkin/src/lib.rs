@@ -165,7 +165,7 @@ pub use body::Galerkin;
 pub use error::GalerkinError;
 pub use hardened::Hardened;
 pub use images::Mirror;
-pub use parts::{Condition, Essential, Load, Parts, Volumes};
+pub use parts::{Condition, CutCells, Essential, Load, Parts, Volumes};
 pub use reactions::Supports;
 pub use results::PointResult;
 pub use steps::{Step, lead};

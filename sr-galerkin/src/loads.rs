@@ -51,28 +51,54 @@ impl Loads {
                     out.add(&squares.at(place)?, force);
                 }
                 Load::Traction { faces, traction } => {
-                    finite("the traction of load", number, traction.as_slice())?;
-                    for point in points(cells, faces, rule)? {
-                        out.add(&squares.at(&point.place)?, &(traction * point.area().norm()));
-                    }
+                    out.pull(number, &points(cells, faces, rule)?, traction, squares)?;
                 }
+                Load::TractionOver { points, traction } => out.pull(number, points, traction, squares)?,
                 Load::Pressure { faces, pressure } => {
-                    finite("the pressure of load", number, &[*pressure])?;
-                    for point in points(cells, faces, rule)? {
-                        let shape = squares.at(&point.place)?;
-                        let along = |g: &[f64; 3], t: &Vec3| (0..3).map(|k| g[k] * t[k]).sum::<f64>();
-                        let [a, b] = point.tangents;
-                        out.pressed.push(PressedPoint {
-                            values: shape.values.iter().map(|phi| pressure * phi).collect(),
-                            slopes: shape.gradients.iter().map(|g| [along(g, &a), along(g, &b)]).collect(),
-                            nodes: shape.nodes,
-                            tangents: point.tangents,
-                        });
-                    }
+                    out.press(number, &points(cells, faces, rule)?, *pressure, squares)?;
                 }
+                Load::PressureOver { points, pressure } => out.press(number, points, *pressure, squares)?,
             }
         }
         Ok(out)
+    }
+
+    /// Adds a traction at points of faces.
+    fn pull(
+        &mut self,
+        number: usize,
+        points: &[FacePoint],
+        traction: &Vec3,
+        squares: &MovingLeastSquares,
+    ) -> Result<(), GalerkinError> {
+        finite("the traction of load", number, traction.as_slice())?;
+        for point in some(points)? {
+            self.add(&squares.at(&point.place)?, &(traction * point.area().norm()));
+        }
+        Ok(())
+    }
+
+    /// Adds a pressure at points of faces.
+    fn press(
+        &mut self,
+        number: usize,
+        points: &[FacePoint],
+        pressure: f64,
+        squares: &MovingLeastSquares,
+    ) -> Result<(), GalerkinError> {
+        finite("the pressure of load", number, &[pressure])?;
+        for point in some(points)? {
+            let shape = squares.at(&point.place)?;
+            let along = |g: &[f64; 3], t: &Vec3| (0..3).map(|k| g[k] * t[k]).sum::<f64>();
+            let [a, b] = point.tangents;
+            self.pressed.push(PressedPoint {
+                values: shape.values.iter().map(|phi| pressure * phi).collect(),
+                slopes: shape.gradients.iter().map(|g| [along(g, &a), along(g, &b)]).collect(),
+                nodes: shape.nodes,
+                tangents: point.tangents,
+            });
+        }
+        Ok(())
     }
 
     fn add(&mut self, shape: &PointShape, force: &Vec3) {
@@ -145,10 +171,12 @@ impl PressedPoint {
     }
 }
 
+/// Points of a load, which has some.
+fn some(points: &[FacePoint]) -> Result<&[FacePoint], GalerkinError> {
+    if points.is_empty() { Err(GalerkinError::EmptySet("a load")) } else { Ok(points) }
+}
+
 fn points(cells: &Hexahedra, faces: &[[u32; 4]], rule: usize) -> Result<Vec<FacePoint>, GalerkinError> {
-    if faces.is_empty() {
-        return Err(GalerkinError::EmptySet("a load"));
-    }
     let count = cells.corners.len();
     if let Some(&node) = faces.iter().flatten().find(|&&corner| corner as usize >= count) {
         return Err(GalerkinError::NoSuchNode { what: "the face of a load", node, count });

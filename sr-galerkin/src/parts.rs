@@ -1,7 +1,7 @@
 //! What a body is made of: nodes, background cells, material, conditions, loads.
 
 use solid_kinematics::{Material, Tangent, Tensor};
-use sph_core::{Basis, Hexahedra, Support, Vec3, Weight};
+use sph_core::{Basis, FacePoint, Hexahedra, Support, Vec3, VolumePoint, Weight};
 
 use crate::images::Mirror;
 
@@ -13,6 +13,8 @@ pub struct Parts {
     pub cells: Hexahedra,
     /// Gauss points along an edge of a cell, 1 to 4; 3 is usual.
     pub rule: usize,
+    /// What a surface cuts out of the cells; none of whole ones.
+    pub cut: Option<CutCells>,
     /// Basis of the shape functions.
     pub basis: Basis,
     /// Their support.
@@ -39,6 +41,15 @@ pub struct Parts {
     pub volumes: Volumes,
     /// Threads; the answer is the same to the last bit.
     pub threads: usize,
+}
+
+/// Cells that a surface cuts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CutCells {
+    /// Points of each, the cube of the rule, in place of Gauss's; volumes may be zero.
+    pub points: Vec<Vec<VolumePoint>>,
+    /// Volumes of the nodes, by which masses are shared out where the integral of a shape function is not positive \[L³\].
+    pub shares: Vec<f64>,
 }
 
 /// A prescribed displacement of nodes along a direction; the others stay free.
@@ -116,6 +127,20 @@ pub enum Load {
         /// Faces of background cells, by their corners.
         faces: Vec<[u32; 4]>,
         /// The pressure.
+        pressure: f64,
+    },
+    /// A traction at points of a surface that is no face of a cell.
+    TractionOver {
+        /// Points with their areas.
+        points: Vec<FacePoint>,
+        /// The traction \[F/L²\].
+        traction: Vec3,
+    },
+    /// A pressure that follows, at such points.
+    PressureOver {
+        /// Points with their tangents at rest.
+        points: Vec<FacePoint>,
+        /// The pressure \[F/L²\].
         pressure: f64,
     },
     /// A force at a point, its direction fixed.

@@ -91,6 +91,7 @@ fn copy(parts: &Parts) -> Parts {
     Parts {
         nodes: parts.nodes.clone(),
         cells: parts.cells.clone(),
+        cut: parts.cut.clone(),
         material: parts.material.clone(),
         mirrors: parts.mirrors.clone(),
         conditions: parts.conditions.clone(),

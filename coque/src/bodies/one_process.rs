@@ -12,9 +12,10 @@ pub enum NotShared {
 }
 
 /// Parts in the words of their models, and the keys of scenes that ask for them.
-const KEYS: [(&str, &str); 7] = [
+const KEYS: [(&str, &str); 8] = [
     ("a shell whose strains are not sampled in cells", "formulation"),
     ("a plate of two sheets", "formulation.two-sheets"),
+    ("a solid under a pressure that follows", "pressure.follower"),
     ("a solid on which a function exerts forces", "Model::push"),
     ("a shell on which a function exerts forces", "Model::push"),
     ("a fluid marched by predictor and corrector", "formulation.weakly-compressible.method"),

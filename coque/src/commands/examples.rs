@@ -80,6 +80,11 @@ const EXAMPLES: [Example; 113] = [
     Example::new("hemisphere-on-flat", 3.0, include_str!("../../../scenes/hemisphere-on-flat.toml")),
     Example::new("hemisphere-yielding", 1.0, include_str!("../../../scenes/hemisphere-yielding.toml")),
     Example::new("hollow-ball", 0.5, include_str!("../../../scenes/meshes/hollow-ball.toml")),
+    Example::new(
+        "hollow-ball-galerkin",
+        5.0,
+        include_str!("../../../scenes/meshes/hollow-ball-galerkin.toml"),
+    ),
     Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
@@ -160,7 +165,7 @@ const EXAMPLES: [Example; 113] = [
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.
-const FILES: [(&str, &str, &str); 14] = [
+const FILES: [(&str, &str, &str); 16] = [
     (
         "balloon-inflating",
         "balloon-inflating.inp",
@@ -173,6 +178,8 @@ const FILES: [(&str, &str, &str); 14] = [
     ("open-hole", "open-hole.inp", include_str!("../../../scenes/meshes/open-hole.inp")),
     ("flanged-bracket", "flanged-bracket.msh", include_str!("../../../scenes/meshes/flanged-bracket.msh")),
     ("hollow-ball", "hollow-ball.obj", include_str!("../../../scenes/meshes/hollow-ball.obj")),
+    ("hollow-ball-galerkin", "hollow-ball.obj", include_str!("../../../scenes/meshes/hollow-ball.obj")),
+    ("hollow-ball-galerkin", "hollow-ball.py", include_str!("../../../scenes/meshes/hollow-ball.py")),
     ("hollow-ball", "hollow-ball.py", include_str!("../../../scenes/meshes/hollow-ball.py")),
     (
         "stiffened-panel-abaqus",

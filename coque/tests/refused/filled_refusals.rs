@@ -45,7 +45,11 @@ fn what_does_not_go_with_a_surface() {
         &[
             ("two shapes", "material", shapes),
             ("a cut-out", "material", hole),
-            ("without bonds", "state-based = { horizon = 3.015 }", "galerkin = {}"),
+            (
+                "a tool without bonds",
+                "state-based = { horizon = 3.015 }",
+                "galerkin = {}\ntools = [{ name = \"flat\", plane = { point = [0, 0, 2], normal = [0, 0, -1] } }]"
+            ),
             ("two sheets", "state-based = { horizon = 3.015 }", "two-sheets = {}"),
             ("balanced weights", "horizon = 3.015", "horizon = 3.015, correction = \"balanced\""),
             ("a set that is none", "on = \"x0\", clamped", "on = \"xO\", clamped"),

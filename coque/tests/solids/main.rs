@@ -6,6 +6,7 @@
 mod common;
 
 mod filled;
+mod filled_galerkin;
 mod galerkin;
 mod galerkin_faces;
 mod galerkin_support;

@@ -6,7 +6,9 @@ mod hexahedra;
 mod lattice;
 
 pub use cut_out::CutOut;
-pub use enclosed::{ClosedSurface, Facet, Filled, Spread, SurfaceFault, by_node, spread};
+pub use enclosed::{
+    Carried, ClosedSurface, Facet, Filled, FilledCells, Spread, SurfaceFault, by_node, spread,
+};
 pub use hexahedra::{FacePoint, Hexahedra, HexahedraError, VolumePoint};
 pub use lattice::{BlockLattice, NodePlaces};
 

@@ -39,6 +39,7 @@ pub fn block(lengths: [f64; 3], counts: [usize; 3], disorder: f64) -> Parts {
         nodes: lattice.block().expect("a block").positions,
         cells: Hexahedra::between(&[0, 1, 2].map(|k| planes(lengths[k], counts[k]))).expect("planes"),
         rule: 3,
+        cut: None,
         basis: Basis::Quadratic,
         support: Support::ellipsoid(spacing.map(|s| 2.5 * s)),
         weight: Weight::Csrbf2,

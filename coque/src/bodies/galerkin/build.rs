@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use sph_core::Support;
-use sr_galerkin::{Galerkin, GalerkinError, Load, Parts, Supports};
+use sr_galerkin::{CutCells, Galerkin, GalerkinError, Load, Parts, Supports};
 
 use super::conditions::{conditions, driven, holds, loads, mirrors};
 use super::describe::describe;
@@ -20,10 +20,12 @@ use crate::bodies::refusal::{body_error, model_error, not_a, refuse_dof, refuse_
 use crate::bodies::rigid::free_of;
 use crate::bodies::solid::conditions::probes;
 use crate::bodies::solid::sets::NodeSets;
+use crate::bodies::solid::skin::Skin;
 use crate::bodies::{BuiltBody, Identity, Model, Ready};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::{self, Checked, Measured, SolidMaterial, SolidScene};
+use crate::warning::{Warning, WarningKind};
 
 impl Checked {
     /// Builds the Galerkin solid alone, for programs that lead it themselves.
@@ -75,9 +77,13 @@ pub(in crate::bodies) fn galerkin_made(
         galerkin(scene, solid, options, threads)?;
     let body = GalerkinSolid::new(galerkin, &places, supports, data_until(solid));
     refuse_dof(scene, body.dof())?;
-    let description = describe(scene, solid, options, (&body, widened), places.block.greatest_spacing());
-    let warnings = warnings_of(scene, options, places.lattice.lengths, &places.block);
-    let (identity, judge) = (Identity::default(), None);
+    let mut description = describe(scene, solid, options, (&body, widened), places.block.greatest_spacing());
+    let mut warnings = warnings_of(scene, options, places.lattice.lengths, &places.block);
+    let fins = places.skin().and_then(Skin::thin_fins);
+    warnings.extend(fins.map(|message| Warning::new(WarningKind::ThinFins, message)));
+    description.modelled.extend(places.skin().map(|skin| skin.described.clone()));
+    let identity = places.skin().map_or_else(Identity::default, |skin| skin.identity.clone());
+    let judge = None;
     Ok(BuiltBody { body, description, memory, identity, probes, driven, warnings, judge, sets })
 }
 
@@ -87,12 +93,13 @@ fn galerkin(
     options: &scene::Galerkin,
     threads: usize,
 ) -> Result<GalerkinParts, SceneError> {
-    let nodes: f64 =
+    let of_lattice =
         solid.lattice().cells().map_or(0.0, |cells| cells.iter().map(|&n| (n + 1) as f64).product());
-    let memory = check_memory(scene, nodes)?;
+    check_memory(scene, of_lattice)?;
     refuse_few_layers(scene, solid, options)?;
-    let places = Places::new(scene, solid)?;
-    let sets = NodeSets::find(scene, &places.lattice, &places.block, &places.straight, None)?;
+    let places = Places::new(scene, solid, options.gauss.get())?;
+    let memory = check_memory(scene, places.block.len() as f64)?;
+    let sets = NodeSets::find(scene, &places.lattice, &places.block, &places.straight, places.skin())?;
     let probes = probes(scene, &sets)?;
     let driven = driven(scene, &sets)?;
     let conditions = conditions(scene, &sets, driven.map(|(support, _)| support))?;
@@ -118,6 +125,10 @@ fn galerkin(
         nodes: places.block.positions.clone(),
         cells: cells.clone(),
         rule: options.gauss.get(),
+        cut: places.filled.as_ref().map(|(filled, _)| CutCells {
+            points: filled.points.clone(),
+            shares: filled.block.volumes.clone(),
+        }),
         basis: basis(options),
         support,
         weight: weight(options),
@@ -185,9 +196,10 @@ fn galerkin_refusal(scene: &BodyInScene<'_>, solid: &SolidScene, error: &Galerki
     let of_body = |path: &str| scene.body_scope().path(path);
     let path = match error {
         GalerkinError::Shape(_) => of_body("formulation.galerkin"),
-        GalerkinError::Cells(_) | GalerkinError::Coincident(..) | GalerkinError::NotFinite { .. } => {
-            of_body("geometry")
-        }
+        GalerkinError::Cells(_)
+        | GalerkinError::Points { .. }
+        | GalerkinError::Coincident(..)
+        | GalerkinError::NotFinite { .. } => of_body("geometry"),
         GalerkinError::Density(_) | GalerkinError::Axes(_) | GalerkinError::FlowWithoutSteps => {
             of_body(material_path(solid))
         }

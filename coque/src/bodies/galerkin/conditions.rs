@@ -10,7 +10,7 @@ use crate::bodies::rigid::Hold;
 use crate::bodies::solid::sets::NodeSets;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{OnNodes, Traction};
+use crate::scene::{OnNodes, Pressure, Traction};
 
 /// Nodes nearer to a plane than this part of the spacing lie on it.
 const ON_PLANE: f64 = 1e-9;
@@ -127,12 +127,17 @@ pub(super) fn loads(
             out.push(Load::Body(Vec3::from(gravity.acceleration) * density));
         }
         if let Some(Traction { value, .. }) = load.traction {
-            let faces = places.faces(cells, sets, &path, load.on)?;
-            out.push(Load::Traction { faces, traction: Vec3::from(value) });
+            let traction = Vec3::from(value);
+            out.push(match places.of_surface(scene, sets, (&path, load.on))? {
+                Some(points) => Load::TractionOver { points, traction },
+                None => Load::Traction { faces: places.faces(cells, sets, &path, load.on)?, traction },
+            });
         }
-        if let Some(pressure) = &load.pressure {
-            let faces = places.faces(cells, sets, &path, load.on)?;
-            out.push(Load::Pressure { faces, pressure: pressure.value() });
+        if let Some(pressure) = load.pressure.as_ref().map(Pressure::value) {
+            out.push(match places.of_surface(scene, sets, (&path, load.on))? {
+                Some(points) => Load::PressureOver { points, pressure },
+                None => Load::Pressure { faces: places.faces(cells, sets, &path, load.on)?, pressure },
+            });
         }
     }
     Ok(out)

@@ -1,9 +1,10 @@
 //! Where loads press: sides of the block, or what of them lies in the region of a set, cells on its border cut by it.
 
-use sph_core::{Hexahedra, Vec3};
+use sph_core::{FacePoint, Hexahedra, Vec3};
 
 use super::places::Places;
 use crate::bodies::solid::sets::NodeSets;
+use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 use crate::scene::sets::OF_SOLIDS;
 use crate::scene::{OnPlane, Region};
@@ -20,6 +21,36 @@ struct HalfSpace {
 }
 
 impl Places {
+    /// Points of the part of a surface under a load on a set: the part that has its name, else what is nearest to its nodes; none of a block. What lies
+    /// in planes of symmetry along the axes is loaded where a face is named only.
+    ///
+    /// # Errors
+    /// [`SceneError::Set`] where nothing is left.
+    pub fn of_surface(
+        &self,
+        scene: &BodyInScene<'_>,
+        sets: &NodeSets<'_>,
+        (path, name): (&str, &str),
+    ) -> Result<Option<Vec<FacePoint>>, SceneError> {
+        let Some((filled, _)) = &self.filled else { return Ok(None) };
+        let mut planes = Vec::new();
+        for support in &scene.supports {
+            let Some(mirror) = support.symmetry else { continue };
+            let normal = Vec3::from(mirror.normal).normalize();
+            if let Some(axis) = (0..3).find(|&axis| normal[axis].abs() > 1.0 - SLACK) {
+                let node = sets.at(&support.at("on"), support.on)?[0];
+                planes.push((axis, self.block.positions[node as usize][axis]));
+            }
+        }
+        let facets = sets.facets(name, sets.at(path, name)?, &planes).unwrap_or_default();
+        if !facets.is_empty() {
+            return Ok(Some(filled.face_points(&facets)));
+        }
+        let bound = "but nothing of the surface lies at its nodes";
+        let repair = "use `surface`, a group of the file, or a region that holds a part of the surface";
+        Err(SceneError::Set(sets.scene().source.fault(path, &format!("\"{name}\""), bound, repair)))
+    }
+
     /// Faces of background cells under a load on a set: of a side of the block all; of a region what it holds of every side on which
     /// it holds a whole face, or of the only side that it meets. Corners of faces that are cut are added to those of the cells.
     ///

@@ -1,15 +1,17 @@
-//! Nodes and background cells of a solid, straight or bent.
+//! Nodes and background cells of a solid, straight or bent, or in a surface from a file.
 
-use sph_core::{Block, BlockLattice, Cell, Hexahedra, Vec3};
+use sph_core::{Block, BlockLattice, Cell, FilledCells, Hexahedra, Vec3};
 
 use crate::bodies::refusal::body_error;
+use crate::bodies::solid::skin::{Skin, filled_cells};
 use crate::scene::SolidScene;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
 
-/// Nodes and background cells; corner and node of one number stand at one place, but for the disorder of nodes.
+/// Nodes and background cells; corner and node of one number stand at one place, but for the disorder of nodes and the cells that a surface
+/// cuts.
 pub(super) struct Places {
-    /// The lattice, straight.
+    /// The lattice, straight; round a surface the box with the spacing of the nodes.
     pub lattice: BlockLattice,
     /// Nodes in space, with those on each face and the volumes of the straight lattice.
     pub block: Block,
@@ -19,6 +21,8 @@ pub(super) struct Places {
     pub cells: Hexahedra,
     /// Their corners in the straight lattice \[L\].
     pub even: Vec<Vec3>,
+    /// The surface that nodes fill, with its cells.
+    pub filled: Option<(FilledCells, Skin)>,
 }
 
 impl Places {
@@ -26,7 +30,16 @@ impl Places {
     ///
     /// # Errors
     /// [`SceneError::Model`] for what the lattice refuses.
-    pub fn new(scene: &BodyInScene<'_>, solid: &SolidScene) -> Result<Self, SceneError> {
+    pub fn new(scene: &BodyInScene<'_>, solid: &SolidScene, rule: usize) -> Result<Self, SceneError> {
+        if let Some(surface) = &solid.geometry.filled {
+            let (filled, skin) = filled_cells(scene, surface, rule)?;
+            let block = filled.block.clone();
+            let straight = block.positions.clone();
+            let (corners, cells) = (straight.clone(), filled.cells.clone());
+            let cells = Hexahedra { corners, cells, ..Hexahedra::default() };
+            let (lattice, filled) = (filled.bounds.clone(), Some((filled, skin)));
+            return Ok(Self { lattice, block, straight, cells, even: Vec::new(), filled });
+        }
         let refusal = |error: &dyn std::fmt::Display| body_error(scene, "geometry", &error.to_string());
         let lattice = solid.lattice();
         let mut block = lattice.block().map_err(|error| refusal(&error))?;
@@ -43,11 +56,24 @@ impl Places {
         if let Some(arc) = &solid.geometry.arc {
             block.positions.iter_mut().chain(&mut cells.corners).for_each(|x| *x = arc.bent(x));
         }
-        Ok(Self { lattice, block, straight, cells, even })
+        Ok(Self { lattice, block, straight, cells, even, filled: None })
     }
 
     /// The outer faces, as quadrangles between nodes.
     pub fn outer(&self) -> Vec<Cell> {
+        if let Some((filled, _)) = &self.filled {
+            return filled.outer.clone();
+        }
         self.cells.faces.iter().flatten().map(|&corners| Cell::quadrangle(corners)).collect()
+    }
+
+    /// Cells that are shown, the first of all: those half empty have no corners of their own.
+    pub fn shown(&self) -> usize {
+        self.filled.as_ref().map_or(self.cells.cells.len(), |(filled, _)| filled.half_full)
+    }
+
+    /// The surface that nodes fill.
+    pub fn skin(&self) -> Option<&Skin> {
+        self.filled.as_ref().map(|(_, skin)| skin)
     }
 }

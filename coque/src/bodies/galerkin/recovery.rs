@@ -35,7 +35,12 @@ pub(super) fn recovered<const N: usize>(
     let points = results.len() / hexahedra.len().max(1);
     let mut round: Vec<Vec<usize>> = vec![Vec::new(); rest.len()];
     for (cell, corners) in hexahedra.iter().enumerate() {
-        corners.iter().for_each(|&node| round[node as usize].push(cell));
+        // Corners may be alike in cells that a surface cuts.
+        for &node in corners {
+            if round[node as usize].last() != Some(&cell) {
+                round[node as usize].push(cell);
+            }
+        }
     }
     let at = |(node, cells): (usize, &Vec<usize>)| {
         let own = cells.iter().flat_map(|cell| &results[cell * points..][..points]);

@@ -11,8 +11,10 @@ use crate::bodies::Yielding;
 /// A Galerkin solid with what the application shows of it.
 pub(crate) struct GalerkinSolid {
     pub(super) galerkin: Galerkin,
-    /// Background cells by their corners, which are nodes.
+    /// Background cells by their corners, which are nodes; those that are not shown stand behind the others.
     hexahedra: Vec<[u32; 8]>,
+    /// How many are shown.
+    shown: usize,
     /// Their faces on the outside.
     pub(super) outer: Vec<Cell>,
     /// What its supports bear; none where nobody asks for it.
@@ -33,9 +35,9 @@ impl GalerkinSolid {
         data_until: Option<f64>,
     ) -> Self {
         let reactions = vec![Vec3::zeros(); galerkin.nodes()];
-        let (hexahedra, outer) = (places.cells.cells.clone(), places.outer());
+        let (hexahedra, shown, outer) = (places.cells.cells.clone(), places.shown(), places.outer());
         let scratch = vec![0.0; galerkin.unknowns()];
-        Self { galerkin, hexahedra, outer, supports, reactions, data_until, scratch }
+        Self { galerkin, hexahedra, shown, outer, supports, reactions, data_until, scratch }
     }
 
     /// The solid itself.
@@ -48,9 +50,9 @@ impl GalerkinSolid {
         self.galerkin.unknowns()
     }
 
-    /// Background cells by their corners.
+    /// Background cells by their corners, but those that a surface leaves less than half of.
     pub fn hexahedra(&self) -> &[[u32; 8]] {
-        &self.hexahedra
+        &self.hexahedra[..self.shown]
     }
 
     /// Stress, strain and angle at the nodes.

@@ -6,7 +6,7 @@ use explicit_dynamics::Amplitude;
 use peridynamics::{AppliedLoad, Parts, Solid, SolidError, StaticSolid};
 use sph_core::{Block, BlockLattice};
 
-use super::conditions::{Loads, driver, holds, loads, mirrors, probes, set_out, supports};
+use super::conditions::{Loads, driver, following, holds, loads, mirrors, probes, set_out, supports};
 use super::describe::describe;
 use super::parts::{carrier, contact, cracks, fracture, material, plastic};
 use super::places::{Places, places};
@@ -120,6 +120,9 @@ fn assemble_solid(
     let mut passed = passed.into_iter();
     let kept = passed.try_for_each(|(load, forces)| solid.pass_through(load, forces));
     kept.map_err(|error| solid_refusal(scene, wanted, &error))?;
+    let mut following = following(scene, &sets)?.into_iter();
+    let followed = following.try_for_each(|pressure| solid.follow(pressure));
+    followed.map_err(|error| solid_refusal(scene, wanted, &error))?;
     set_out(wanted, &mut solid);
     refuse_dof(scene, solid.dof())?;
     refuse_pieces(scene, wanted, &solid)?;

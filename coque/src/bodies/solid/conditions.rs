@@ -1,6 +1,6 @@
 //! Supports, loads, columns and the velocity at the start of a solid.
 
-use peridynamics::{AppliedLoad, Mirror, Solid, SolidError, Support, Supported};
+use peridynamics::{AppliedLoad, FollowingPressure, Mirror, Solid, SolidError, Support, Supported};
 use sph_core::{Block, BlockLattice, Facet, Spread, Vec3, spread};
 
 use super::sets::NodeSets;
@@ -178,7 +178,8 @@ pub(super) fn loads(
             }
             _ => on_nodes(tractions(block, sets, load.on, traction)),
         });
-        let pressure = load.pressure.iter().map(|pressure| match sets.facets(load.on, nodes, &planes) {
+        let dead = load.pressure.iter().filter(|pressure| !pressure.follower);
+        let pressure = dead.map(|pressure| match sets.facets(load.on, nodes, &planes) {
             Some(facets) => on_surface(facets, &|area| area * -pressure.value()),
             None => on_nodes(pressures(sets, load.on, pressure.value())),
         });
@@ -189,6 +190,24 @@ pub(super) fn loads(
         }
     }
     Ok(Loads { loads, passed })
+}
+
+/// Pressures that follow the surface that nodes fill.
+pub(super) fn following(
+    scene: &BodyInScene<'_>,
+    sets: &NodeSets<'_>,
+) -> Result<Vec<FollowingPressure>, SceneError> {
+    let mut out = Vec::new();
+    for load in &scene.loads {
+        let Some(pressure) = load.pressure.as_ref().filter(|pressure| pressure.follower) else { continue };
+        let nodes = sets.at(&load.at("on"), load.on)?;
+        out.extend(sets.carried(load.on, nodes).map(|surface| FollowingPressure {
+            surface,
+            pressure: pressure.value(),
+            amplitude: load.amplitude.clone().unwrap_or_default(),
+        }));
+    }
+    Ok(out)
 }
 
 /// A force through a plane of symmetry, along its axis, by area on the nodes of the face before it.

@@ -10,5 +10,5 @@ pub(super) mod fields;
 mod parts;
 mod places;
 pub(super) mod sets;
-mod skin;
+pub(super) mod skin;
 mod warnings;

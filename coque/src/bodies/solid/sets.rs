@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use sph_core::{Block, BlockLattice, Facet, Vec3};
+use sph_core::{Block, BlockLattice, Carried, Facet, Vec3};
 
 use super::skin::Skin;
 use crate::bodies::sets::{Declared, inside};
@@ -108,6 +108,11 @@ impl<'a> NodeSets<'a> {
     /// The part of the surface that the nodes fill, by the name of a set; none of a block.
     pub fn facets(&self, name: &str, nodes: &[u32], planes: &[(usize, f64)]) -> Option<Vec<Facet>> {
         self.skin.map(|skin| skin.facets(name, nodes, planes))
+    }
+
+    /// The same as the nodes carry it.
+    pub fn carried(&self, name: &str, nodes: &[u32]) -> Option<Carried> {
+        self.skin.map(|skin| skin.carried(self.block, name, nodes))
     }
 
     /// The nodes within a depth of a face of the block.

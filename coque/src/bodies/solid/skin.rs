@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use sph_core::{ClosedSurface, Facet, Filled, SurfaceFault, Vec3, by_node};
+use mesh_io::surface::Surface;
+use sph_core::{Block, Carried, ClosedSurface, Facet, Filled, FilledCells, SurfaceFault, Vec3};
 
 use crate::bodies::Identity;
 use crate::bodies::from_file::{surface, triangles};
@@ -15,58 +16,122 @@ use crate::scene::sets::OF_FILLED;
 /// Where the surface stands in the scene.
 const KEY: &str = "geometry.filled";
 
+/// Part of a body that may lie in fins and tips without nodes of their own.
+const IN_FINS: f64 = 1e-3;
+
 /// The surface of a solid.
 #[derive(Clone, Debug)]
 pub(in crate::bodies) struct Skin {
+    surface: ClosedSurface,
     /// What nodes bear of it.
     facets: Vec<Facet>,
+    /// Nodes with each triangle that they bear a part of, of shape functions with each that they lie on.
+    bearers: Vec<(u32, u32)>,
     /// Which triangles belong to each part that has a name: groups of the file, and what lies in the planes of the box round it.
     parts: BTreeMap<String, Vec<bool>>,
     /// Part of the volume that nodes farther off bear, with a place of it.
-    pub away: Option<(f64, Vec3)>,
+    away: Option<(f64, Vec3)>,
     /// What it is, in words.
     pub described: String,
     pub identity: Identity,
 }
 
-/// The nodes of a solid that fill the surface that its scene names.
+/// The nodes of a solid of bonds that fill the surface that its scene names.
 ///
 /// # Errors
 /// [`SceneError::Mesh`] for a file that holds no sound surface, [`SceneError::Model`] for one that encloses no body.
 pub(super) fn filled(scene: &BodyInScene<'_>, wanted: &FilledSurface) -> Result<(Filled, Skin), SceneError> {
+    let read = read(scene, wanted)?;
+    let filled = read.closed.filled(wanted.spacing.get()).map_err(|fault| refused(scene, &fault))?;
+    let bearers = filled.facets.iter().map(|facet| (facet.node, facet.triangle)).collect();
+    let parts = read.parts(scene, &filled.flat)?;
+    let skin = read.skin(parts, (filled.facets.clone(), bearers, filled.away), "nodes fill it exactly");
+    Ok((filled, skin))
+}
+
+/// The nodes of a Galerkin solid in the surface that its scene names, and the cells that it cuts.
+///
+/// # Errors
+/// As of a solid of bonds.
+pub(in crate::bodies) fn filled_cells(
+    scene: &BodyInScene<'_>,
+    wanted: &FilledSurface,
+    rule: usize,
+) -> Result<(FilledCells, Skin), SceneError> {
+    let read = read(scene, wanted)?;
+    let filled = read.closed.filled_cells(wanted.spacing.get(), rule);
+    let filled = filled.map_err(|fault| refused(scene, &fault))?;
+    let parts = read.parts(scene, &filled.flat)?;
+    let of_surface = (filled.facets.clone(), filled.touching.clone(), filled.away);
+    let skin = read.skin(parts, of_surface, "it cuts the cells over which integrals are taken");
+    Ok((filled, skin))
+}
+
+/// A surface from a file.
+struct Read {
+    surface: Surface,
+    identity: Identity,
+    closed: ClosedSurface,
+    /// The face of each triangle.
+    faces: Vec<u32>,
+}
+
+fn read(scene: &BodyInScene<'_>, wanted: &FilledSurface) -> Result<Read, SceneError> {
     let (surface, identity) = surface(scene, &wanted.mesh(), KEY)?;
     let (triangles, faces) = triangles(&surface);
     let closed = ClosedSurface::new(surface.positions.clone(), triangles);
     let closed = closed.map_err(|fault| refused(scene, &fault))?;
-    let filled = closed.filled(wanted.spacing.get()).map_err(|fault| refused(scene, &fault))?;
-    let (volume, centroid) = closed.volume();
-    let area: f64 = filled.facets.iter().map(|facet| facet.area.norm()).sum();
-    let described = format!(
-        "{} triangles of {} enclose a volume of {volume:.6e} round ({:.4e}, {:.4e}, {:.4e}), their area is {area:.6e}; nodes fill it exactly",
-        faces.len(),
-        surface.file,
-        centroid.x,
-        centroid.y,
-        centroid.z,
-    );
-    let mut parts = BTreeMap::new();
-    for (name, of_group) in &surface.face_sets {
-        if OF_FILLED.contains(&name.as_str()) {
-            let value =
-                format!("{}: a group is called {name}, which names another set of every solid", surface.file);
-            let bound = "another name";
-            let fault = scene.body_scope().fault(&format!("{KEY}.file"), &value, bound, "rename the group");
-            return Err(SceneError::Mesh(fault));
+    Ok(Read { surface, identity, closed, faces })
+}
+
+impl Read {
+    /// Which triangles belong to each part that has a name.
+    fn parts(
+        &self,
+        scene: &BodyInScene<'_>,
+        flat: &[Vec<bool>; 6],
+    ) -> Result<BTreeMap<String, Vec<bool>>, SceneError> {
+        let (surface, faces) = (&self.surface, &self.faces);
+        let mut parts = BTreeMap::new();
+        for (name, of_group) in &surface.face_sets {
+            if OF_FILLED.contains(&name.as_str()) {
+                let value = format!(
+                    "{}: a group is called {name}, which names another set of every solid",
+                    surface.file
+                );
+                let bound = "another name";
+                let fault =
+                    scene.body_scope().fault(&format!("{KEY}.file"), &value, bound, "rename the group");
+                return Err(SceneError::Mesh(fault));
+            }
+            let of_group: BTreeSet<u32> = of_group.iter().copied().collect();
+            parts.insert(name.clone(), faces.iter().map(|face| of_group.contains(face)).collect());
         }
-        let of_group: BTreeSet<u32> = of_group.iter().copied().collect();
-        parts.insert(name.clone(), faces.iter().map(|face| of_group.contains(face)).collect());
+        for (name, flat) in OF_FILLED[1..7].iter().zip(flat) {
+            parts.insert((*name).into(), flat.clone());
+        }
+        parts.insert(OF_FILLED[7].into(), vec![true; faces.len()]);
+        Ok(parts)
     }
-    for (name, flat) in OF_FILLED[1..7].iter().zip(&filled.flat) {
-        parts.insert((*name).into(), flat.clone());
+
+    fn skin(
+        self,
+        parts: BTreeMap<String, Vec<bool>>,
+        (facets, bearers, away): (Vec<Facet>, Vec<(u32, u32)>, Option<(f64, Vec3)>),
+        how: &str,
+    ) -> Skin {
+        let (volume, centroid) = self.closed.volume();
+        let area: f64 = facets.iter().map(|facet| facet.area.norm()).sum();
+        let described = format!(
+            "{} triangles of {} enclose a volume of {volume:.6e} round ({:.4e}, {:.4e}, {:.4e}), their area is {area:.6e}; {how}",
+            self.faces.len(),
+            self.surface.file,
+            centroid.x,
+            centroid.y,
+            centroid.z,
+        );
+        Skin { surface: self.closed, facets, bearers, parts, away, described, identity: self.identity }
     }
-    parts.insert(OF_FILLED[7].into(), vec![true; faces.len()]);
-    let skin = Skin { facets: filled.facets.clone(), parts, away: filled.away, described, identity };
-    Ok((filled, skin))
 }
 
 fn refused(scene: &BodyInScene<'_>, fault: &SurfaceFault) -> SceneError {
@@ -78,12 +143,36 @@ fn refused(scene: &BodyInScene<'_>, fault: &SurfaceFault) -> SceneError {
 }
 
 impl Skin {
-    /// Nodes that bear a part of each part that has a name.
+    /// Nodes that bear a part of each part that has a name, ascending.
     pub fn sets(&self) -> impl Iterator<Item = (String, Vec<u32>)> + '_ {
         self.parts.iter().map(|(name, part)| {
-            let nodes = by_node(self.facets.iter().filter(|facet| part[facet.triangle as usize]));
-            (name.clone(), nodes.into_iter().map(|(node, ..)| node).collect())
+            let of_part = self.bearers.iter().filter(|(_, triangle)| part[*triangle as usize]);
+            let nodes: BTreeSet<u32> = of_part.map(|(node, _)| *node).collect();
+            (name.clone(), nodes.into_iter().collect())
         })
+    }
+
+    /// The part of the surface that has this name, else what of it is nearest to the nodes of a set, as the nodes of a block carry it.
+    pub fn carried(&self, block: &Block, name: &str, nodes: &[u32]) -> Carried {
+        let held: BTreeSet<u32> = nodes.iter().copied().collect();
+        let all = self.surface.carried(block, block.greatest_spacing());
+        all.only(|number| match self.parts.get(name) {
+            Some(part) => part[all.part_of[number] as usize],
+            None => held.contains(&all.nearest[number]),
+        })
+    }
+
+    /// What of the body lies in fins without nodes, where that is much.
+    pub fn thin_fins(&self) -> Option<String> {
+        let (part, place) = self.away.filter(|(part, _)| *part > IN_FINS)?;
+        Some(format!(
+            "{:.2} % of the volume lies in fins or tips thinner than half a spacing, as at ({:.3e}, {:.3e}, {:.3e}), and goes to nodes up to three spacings \
+             off: mass and loads are kept, the stiffness of the fin is not there; use a spacing below its thickness, or leave it out",
+            100.0 * part,
+            place.x,
+            place.y,
+            place.z
+        ))
     }
 
     /// Whether a part has this name.

@@ -196,20 +196,9 @@ fn turns(look: &Look<'_>, [along, across]: [usize; 2]) -> bool {
     turned.any(|turned| self::across(turned.axis, 3 - along - across))
 }
 
-/// Part of a body that may lie in fins and tips without nodes of their own.
-const IN_FINS: f64 = 1e-3;
-
 /// What is thinner than half a spacing has no nodes of its own: its mass and its loads are on the body that it stands on, its stiffness nowhere.
 fn thin_fins(look: &Look<'_>) -> Option<String> {
-    let (part, place) = look.skin?.away.filter(|(part, _)| *part > IN_FINS)?;
-    Some(format!(
-        "{:.2} % of the volume lies in fins or tips thinner than half a spacing, as at ({:.3e}, {:.3e}, {:.3e}), and goes to nodes up to three spacings \
-         off: mass and loads are kept, the stiffness of the fin is not there; use a spacing below its thickness, or leave it out",
-        100.0 * part,
-        place.x,
-        place.y,
-        place.z
-    ))
+    look.skin?.thin_fins()
 }
 
 /// Whether a vector has more than a tenth of its length along an axis.

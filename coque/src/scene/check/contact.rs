@@ -218,9 +218,11 @@ pub(super) fn without_surface(solid: &SolidScene) -> Option<&'static str> {
     } else if solid.has_directors() {
         Some("a shell, or a solid with layers of nodes: two sheets have none")
     } else if solid.geometry.filled.is_some() {
-        Some(
-            "a block, whose nodes all stand half a spacing behind its faces: those that fill a surface do not",
-        )
+        Some(if bonds {
+            "a block, whose nodes all stand half a spacing behind its faces: those that fill a surface do not"
+        } else {
+            "a block or an arc, whose nodes on a face have others straight behind them: those on a surface from a file do not"
+        })
     } else if bonds && solid.lattice().grading != [1.0; 3] {
         Some("a solid of bonds on an even lattice, whose nodes are balls of one radius")
     } else {

@@ -17,7 +17,7 @@ pub struct SolidGeometry {
     pub block: Option<Block>,
     /// Part of a cylinder with its thickness, of a Galerkin solid.
     pub arc: Option<Arc>,
-    /// What a closed surface from a file encloses, of a solid of bonds.
+    /// What a closed surface from a file encloses.
     pub filled: Option<FilledSurface>,
     /// What is cut out of a block: a node goes where its place lies in one of these.
     #[serde(default)]
@@ -68,7 +68,8 @@ pub struct Arc {
 /// A closed surface that looks outwards, filled with nodes of a cubic lattice.
 ///
 /// The surface cuts the cells of the lattice: a node has the volume of what of its cell lies inside and stands at the centroid of that, and cells
-/// less than half full go to the nodes beside them. Volume, centroid and area of the body are those of the surface. Groups of faces of the file are
+/// less than half full go to the nodes beside them. Of a Galerkin solid nodes stand at the corners of cells, the outermost on the surface, and integrals are
+/// taken over what of the cells lies inside. Volume, centroid and area of the body are those of the surface. Groups of faces of the file are
 /// sets; so are `surface`, all of it, and `x0` to `z1`, what of it lies in the planes of the box round it.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

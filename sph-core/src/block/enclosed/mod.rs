@@ -4,18 +4,25 @@
 //! node at the centroid of that, or is shared out to nodes beside it where there is little (shared.rs). So volume, centroid and area of the
 //! body are those of the surface, to rounding.
 
+mod carried;
+mod cells;
 mod clip;
 mod closed;
 mod crossing;
+mod features;
+mod nearest;
 mod shared;
+mod snapped;
 mod spread;
 
 use std::collections::BTreeMap;
 
+pub use carried::Carried;
+pub use cells::FilledCells;
 pub use closed::{ClosedSurface, SurfaceFault};
 pub use spread::{Spread, spread};
 
-use self::clip::{Piece, cut};
+use self::clip::{Cut, Piece, cut};
 use self::shared::{Shared, share_out};
 use super::{Block, BlockLattice, NodePlaces};
 use crate::Vec3;
@@ -54,6 +61,16 @@ pub struct Filled {
     /// Part of the volume that lies in fins and tips thinner than half a spacing and is borne by nodes farther off than the cell beside,
     /// with a place of it.
     pub away: Option<(f64, Vec3)>,
+}
+
+/// A lattice round a surface.
+struct Laid {
+    counts: [usize; 3],
+    bounds: BlockLattice,
+    /// Which triangles lie in each plane of the box.
+    flat: [Vec<bool>; 6],
+    /// Its corner of least coordinates \[L\].
+    origin: Vec3,
 }
 
 impl ClosedSurface {
@@ -96,33 +113,12 @@ impl ClosedSurface {
     /// [`SurfaceFault::Cells`]; [`SurfaceFault::Overlap`] for a surface that encloses some part twice, [`SurfaceFault::Thin`] for one that
     /// is too thin there for a node.
     pub fn filled(&self, spacing: f64) -> Result<Filled, SurfaceFault> {
-        let counts = self.cells(spacing)?;
-        let bounds = self.bounds(spacing);
-        let flat: [Vec<bool>; 6] = std::array::from_fn(|face| self.flat(&bounds, face));
-        // What the lattice is longer than the body lies beyond its curved ends.
-        let beyond = |axis: usize| {
-            let [low, high] = [0, 1].map(|upper| flat[2 * axis + upper].contains(&true));
-            let part = match (low, high) {
-                (true, false) => 0.0,
-                (false, true) => 1.0,
-                _ => 0.5,
-            };
-            part * (spacing * counts[axis] as f64 - bounds.lengths[axis])
-        };
-        let origin = bounds.origin - Vec3::from([0, 1, 2].map(beyond));
-        let [i, j, k] = self.around(&origin, spacing);
-        let triangles = self.triangles.iter().map(|corners| {
-            corners.map(|corner| {
-                let x = self.vertices[corner as usize];
-                [i(x.x), j(x.y), k(x.z)]
-            })
-        });
-        let cut = cut(counts, triangles);
+        let Laid { counts, bounds, flat, origin } = self.laid(spacing)?;
+        let cut = self.cut(&origin, spacing, counts);
         let place = |cells: [f64; 3]| origin + Vec3::from(cells) * spacing;
         let Shared { nodes, borne, away } = share_out(&cut).map_err(|fault| fault.at(place))?;
         let square = spacing * spacing;
-        let normals: Vec<Vec3> =
-            self.triangles.iter().map(|corners| self.area(corners).normalize()).collect();
+        let normals = self.normals();
         let facet = |(node, number, part): (u32, usize, f64)| {
             let Piece { triangle, area, centroid, .. } = cut.pieces[number];
             Facet {
@@ -143,6 +139,42 @@ impl ClosedSurface {
         };
         let away = away.map(|(cells, at)| (cells * square * spacing / self.volume().0, place(at)));
         Ok(Filled { block, bounds, facets, flat, away })
+    }
+
+    /// The lattice of this spacing that holds it.
+    fn laid(&self, spacing: f64) -> Result<Laid, SurfaceFault> {
+        let counts = self.cells(spacing)?;
+        let bounds = self.bounds(spacing);
+        let flat: [Vec<bool>; 6] = std::array::from_fn(|face| self.flat(&bounds, face));
+        // What the lattice is longer than the body lies beyond its curved ends.
+        let beyond = |axis: usize| {
+            let [low, high] = [0, 1].map(|upper| flat[2 * axis + upper].contains(&true));
+            let part = match (low, high) {
+                (true, false) => 0.0,
+                (false, true) => 1.0,
+                _ => 0.5,
+            };
+            part * (spacing * counts[axis] as f64 - bounds.lengths[axis])
+        };
+        let origin = bounds.origin - Vec3::from([0, 1, 2].map(beyond));
+        Ok(Laid { counts, bounds, flat, origin })
+    }
+
+    /// What it cuts out of the cells of a lattice.
+    fn cut(&self, origin: &Vec3, spacing: f64, counts: [usize; 3]) -> Cut {
+        let [i, j, k] = self.around(origin, spacing);
+        let triangles = self.triangles.iter().map(|corners| {
+            corners.map(|corner| {
+                let x = self.vertices[corner as usize];
+                [i(x.x), j(x.y), k(x.z)]
+            })
+        });
+        cut(counts, triangles)
+    }
+
+    /// Outward unit normals of the triangles.
+    fn normals(&self) -> Vec<Vec3> {
+        self.triangles.iter().map(|corners| self.area(corners).normalize()).collect()
     }
 
     /// Coordinates in cells of a lattice.

@@ -10,15 +10,15 @@ use super::closed::SurfaceFault;
 use crate::Vec3;
 
 /// Part of a cell from which it is a node of its own; a half is one, whatever rounding did to it.
-const NODE: f64 = 0.5 - 1e-9;
+pub(super) const NODE: f64 = 0.5 - 1e-9;
 /// How far a cell that is none may be from a node along each axis \[cells\]: tips of wedges and needles.
 const REACH: i64 = 3;
 /// How far the centre of a cell may be from that of the node that takes it, squared, before what it holds has moved away \[cells²\].
-const BESIDE: i64 = 3;
+pub(super) const BESIDE: i64 = 3;
 /// Part of a cell below which it is empty or full but for rounding.
-const ROUNDING: f64 = 1e-12;
+pub(super) const ROUNDING: f64 = 1e-12;
 /// Part of a cell that may lie inside twice, or less than not at all, by rounding.
-const TWICE: f64 = 1e-9;
+pub(super) const TWICE: f64 = 1e-9;
 
 /// A node, in units of cells.
 pub(super) struct Node {
@@ -106,19 +106,20 @@ pub(super) fn share_out(cut: &Cut) -> Result<Shared, Misfit> {
     Ok(Shared { nodes: sums.into_iter().map(node).collect(), borne, away })
 }
 
-fn centre(cut: &Cut, cell: usize) -> Point {
+pub(super) fn centre(cut: &Cut, cell: usize) -> Point {
     cut.place(cell).map(|n| n as f64 + 0.5)
 }
 
 /// The nodes that are nearest to a cell that is none.
-struct Nearest {
+pub(super) struct Nearest {
     /// Cells of the nodes, and the part of it that each takes.
-    parts: Vec<(usize, f64)>,
+    pub parts: Vec<(usize, f64)>,
     /// Square of the distance between the centres of the cells \[cells²\].
-    square: i64,
+    pub square: i64,
 }
 
-fn nearest(cut: &Cut, cell: usize, numbers: &[u32], steps: &[Step]) -> Result<Nearest, Misfit> {
+/// The nodes nearest to a cell that is none; `numbers` has `u32::MAX` for such cells.
+pub(super) fn nearest(cut: &Cut, cell: usize, numbers: &[u32], steps: &[Step]) -> Result<Nearest, Misfit> {
     let at = cut.place(cell).map(|n| n as i64);
     let node = |step: &Step| {
         let to = [0, 1, 2].map(|k| usize::try_from(at[k] + step.by[k]).ok().filter(|&n| n < cut.counts[k]));
@@ -134,13 +135,13 @@ fn nearest(cut: &Cut, cell: usize, numbers: &[u32], steps: &[Step]) -> Result<Ne
 }
 
 /// The way from a cell to another one, with the square of its length \[cells\].
-struct Step {
+pub(super) struct Step {
     by: [i64; 3],
     square: i64,
 }
 
 /// All within reach, the shortest first.
-fn steps() -> Vec<Step> {
+pub(super) fn steps() -> Vec<Step> {
     let reach = || -REACH..=REACH;
     let all = reach().flat_map(|i| reach().flat_map(move |j| reach().map(move |k| [i, j, k])));
     let mut all: Vec<Step> = all

@@ -16,9 +16,7 @@ use std::collections::BTreeMap;
 use super::Facet;
 use crate::Vec3;
 use crate::block::Block;
-use crate::sampling::moving_least_squares::{
-    Basis, MovingLeastSquares, PointShape, ShapeError, Support, Weight,
-};
+use crate::sampling::moving_least_squares::{Basis, MovingLeastSquares, PointShape, Support, Weight};
 
 /// Radii within which nodes take part, in spacings: the first that has enough of them, not in a plane.
 const REACHES: [f64; 2] = [2.0, 3.0];
@@ -50,8 +48,8 @@ struct Image {
 /// bear is that of the nodes, mirrored.
 pub fn spread(block: &Block, mirrors: &[(usize, f64)], forces: &[(Facet, Vec3)]) -> Spread {
     let (places, images) = with_images(block, mirrors);
-    let nets = REACHES.map(|reach| net(&places, reach * block.greatest_spacing()));
-    let at = |node: u32| nets.iter().find_map(|net| net.as_ref().ok()?.at(&places[node as usize]).ok());
+    let nets = nets(&places, block.greatest_spacing());
+    let at = |node: u32| nets.iter().find_map(|net| net.at(&places[node as usize]).ok());
     let mut shapes = BTreeMap::<u32, Option<PointShape>>::new();
     let mut sums = BTreeMap::<u32, Vec3>::new();
     let mut through = vec![0.0; mirrors.len()];
@@ -75,8 +73,12 @@ pub fn spread(block: &Block, mirrors: &[(usize, f64)], forces: &[(Facet, Vec3)])
     Spread { forces: sums.into_iter().collect(), through }
 }
 
-fn net(places: &[Vec3], reach: f64) -> Result<MovingLeastSquares, ShapeError> {
-    MovingLeastSquares::new(places, Basis::Linear, Support::sphere(reach), Weight::Csrbf2)
+/// Shape functions over nodes, those of the narrower reach first.
+pub(super) fn nets(places: &[Vec3], spacing: f64) -> Vec<MovingLeastSquares> {
+    let net = |reach: f64| {
+        MovingLeastSquares::new(places, Basis::Linear, Support::sphere(reach * spacing), Weight::Csrbf2)
+    };
+    REACHES.iter().filter_map(|&reach| net(reach).ok()).collect()
 }
 
 /// Places of the nodes, and behind them of their images within reach of planes of symmetry.

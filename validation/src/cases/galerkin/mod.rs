@@ -3,6 +3,7 @@
 mod bricks;
 mod cantilever;
 mod column;
+mod hollow_ball;
 mod nodes;
 mod one_solve;
 mod plates;
@@ -32,6 +33,7 @@ pub fn all() -> Vec<Case> {
         bricks::case(),
         speed::case(),
         thick_tube::case(),
+        hollow_ball::case(),
         finer::stub_solid(INCREMENTS),
         finer::pressed_pad(INCREMENTS),
     ]

@@ -1,5 +1,6 @@
 //! Checks of supports, loads and the velocity of a solid.
 
+use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::check::sets::{built_in, only_on};
 use crate::scene::error::{SceneError, Verdict};
@@ -101,12 +102,8 @@ pub(in super::super) fn check_solid_load(
                         ("a dead pressure", "one that follows, on a Galerkin solid", repair)
                     }
                     (None, true) => {
-                        let repair = "remove `follower`, or use [bodies.NAME.solid.formulation.galerkin], whose faces it follows";
-                        (
-                            "a pressure that follows",
-                            "a dead one, on a solid of bonds: it acts on the faces at rest",
-                            repair,
-                        )
+                        let Some((bound, repair)) = without_following(scene, solid) else { continue };
+                        ("a pressure that follows", bound, repair)
                     }
                     _ => continue,
                 };
@@ -122,6 +119,27 @@ pub(in super::super) fn check_solid_load(
         }
     }
     Ok(())
+}
+
+/// Why no pressure follows the faces of a solid of bonds, and what to do.
+fn without_following(scene: &BodyInScene<'_>, solid: &SolidScene) -> Option<(&'static str, &'static str)> {
+    if solid.geometry.filled.is_none() {
+        return Some((
+            "a dead one on a block of bonds: it follows the triangles of a surface",
+            "remove `follower`, fill a surface with nodes (geometry.filled), or use [bodies.NAME.solid.formulation.galerkin], whose faces it follows",
+        ));
+    }
+    if !matches!(scene.analysis, Analysis::Explicit(_)) {
+        return Some((
+            "a dead one on a solid of bonds at rest: the tangent has no stiffness of it",
+            "march it, by [analysis.explicit.quasi-static], remove `follower`, or use [bodies.NAME.solid.formulation.galerkin]",
+        ));
+    }
+    let mirrored = scene.supports.iter().any(|support| support.symmetry.is_some());
+    mirrored.then_some((
+        "a dead one beside planes of symmetry of a solid of bonds: nodes behind them carry no surface",
+        "model the whole body, or remove `follower`",
+    ))
 }
 
 /// A traction acts on a face of a block, or on cells of a shell.

@@ -68,18 +68,13 @@ impl SolidScene {
         Ok(())
     }
 
-    /// Nodes that fill a surface are those of bonds in space, and the surface has its own holes.
+    /// Nodes that fill a surface are in space, and the surface has its own holes.
     fn check_filled(&self, s: &Scope<'_>) -> Verdict {
         let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
             Err(SceneError::Choice(s.fault(key, value, bound, repair)))
         };
         if self.geometry.filled.is_none() {
             return Ok(());
-        }
-        if self.galerkin().is_some() {
-            let bound = "a block or an arc of a Galerkin solid: the cells over which it integrates are not cut by a surface";
-            let repair = "use a block or an arc, or [bodies.NAME.solid.formulation.state-based]";
-            return refuse("geometry.filled", "a surface that nodes fill", bound, repair);
         }
         if self.has_directors() {
             let bound = "a plane block of two sheets";
