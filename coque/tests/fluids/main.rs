@@ -13,5 +13,6 @@ mod fluid;
 mod fluid_scenes;
 mod moored;
 mod periodic;
+mod still;
 mod unseen_contact;
 mod waves;

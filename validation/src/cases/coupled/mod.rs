@@ -9,6 +9,7 @@ mod gate;
 mod gate_alone;
 pub mod measure;
 mod plate;
+mod plate_in_water;
 mod ring;
 mod scenes;
 mod source_settings;
@@ -37,6 +38,7 @@ pub fn all() -> Vec<Case> {
         scenes::case(),
         source_settings::case(),
         sprung_floor::case(),
+        plate_in_water::case(),
         floating_box::case(),
         wave_flume::case(),
         finer::leaning_wall(measure::SHELL),

@@ -4,6 +4,7 @@ mod conditions;
 mod current;
 mod periodic;
 mod speed;
+mod still;
 mod walls;
 mod waves;
 
@@ -17,6 +18,7 @@ pub(super) use self::conditions::{check_load_of_fluid, check_unsupported, check_
 pub(super) use self::current::check_current;
 pub(super) use self::periodic::check_periodic;
 pub(super) use self::speed::check_sound_speed;
+pub(super) use self::still::check_still;
 pub(super) use self::waves::check_waves;
 
 /// Bounds what a scene may allocate: ten million particles take some three gigabytes.
