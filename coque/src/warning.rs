@@ -24,6 +24,8 @@ pub enum WarningKind {
     TruncatedModes,
     /// Modes softer, or of another damping, than the response spectrum goes.
     BeyondSpectrum,
+    /// Modes in still water that make waves of its surface.
+    SurfaceWaves,
     /// A buckling level that hangs on the change of shape before buckling.
     ChangedShape,
     /// The formulation conserves neither momentum nor energy.
@@ -169,6 +171,7 @@ impl WarningKind {
             Self::CoarseFrequencies => "coarse-frequencies",
             Self::TruncatedModes => "truncated-modes",
             Self::BeyondSpectrum => "beyond-spectrum",
+            Self::SurfaceWaves => "surface-waves",
             Self::ChangedShape => "changed-shape",
             Self::StrongForm => "strong-form",
             Self::NodalLocking => "nodal-locking",
@@ -272,6 +275,7 @@ mod tests {
             WarningKind::CoarseFrequencies,
             WarningKind::TruncatedModes,
             WarningKind::BeyondSpectrum,
+            WarningKind::SurfaceWaves,
             WarningKind::StrongForm,
             WarningKind::NodalLocking,
             WarningKind::PatternModes,

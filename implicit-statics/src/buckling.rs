@@ -314,12 +314,12 @@ impl Pencil<'_> {
         let mut left = vec![0.0; shape.len()];
         let mut weighed = left.clone();
         product(self.pattern, self.geometric, &shape, &mut left);
-        self.weigh(&shape, &mut weighed);
+        self.weigh(&shape, &mut weighed)?;
         let length = dot(&shape, &weighed).sqrt();
         let signed = self.sign * value;
         left.iter_mut().zip(&weighed).for_each(|(g, k)| *g = k + signed * *g);
         self.solver.solve(&mut left)?;
-        self.weigh(&left, &mut weighed);
+        self.weigh(&left, &mut weighed)?;
         let error = dot(&left, &weighed).max(0.0).sqrt() / length;
         Ok(Level { value: signed, residual: error * (1.0 - self.shift / value).abs(), shape })
     }
@@ -332,12 +332,13 @@ impl Operator for Pencil<'_> {
             let sign = self.sign;
             out.iter_mut().for_each(|g| *g *= -sign);
         } else {
-            self.weigh(v, out);
+            self.weigh(v, out)?;
         }
         self.solver.solve(out)
     }
 
-    fn weigh(&mut self, v: &[f64], out: &mut [f64]) {
+    fn weigh(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError> {
         product(self.pattern, self.base, v, out);
+        Ok(())
     }
 }

@@ -28,7 +28,7 @@ pub(crate) trait Operator {
     /// `out = A v`.
     fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError>;
     /// `out = G v`.
-    fn weigh(&mut self, v: &[f64], out: &mut [f64]);
+    fn weigh(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError>;
 }
 
 /// Which end of the spectrum is wanted.
@@ -92,14 +92,18 @@ impl Krylov {
     fn add_image(&mut self, operator: &mut dyn Operator, vector: &[f64]) -> Result<bool, EquilibriumError> {
         let mut image = vec![0.0; self.unknowns];
         operator.apply(vector, &mut image)?;
-        Ok(self.orthogonalise(operator, image).1)
+        Ok(self.orthogonalise(operator, image)?.1)
     }
 
     /// Adds what a vector has beyond the basis, by Gram–Schmidt done twice; gives its components and whether it had.
-    fn orthogonalise(&mut self, operator: &mut dyn Operator, mut vector: Vec<f64>) -> (Vec<f64>, bool) {
+    fn orthogonalise(
+        &mut self,
+        operator: &mut dyn Operator,
+        mut vector: Vec<f64>,
+    ) -> Result<(Vec<f64>, bool), EquilibriumError> {
         let mut weighted = vec![0.0; self.unknowns];
         let mut components = vec![0.0; self.basis.len()];
-        operator.weigh(&vector, &mut weighted);
+        operator.weigh(&vector, &mut weighted)?;
         let length = dot(&vector, &weighted).max(0.0).sqrt();
         for _ in 0..2 {
             let shares: Vec<f64> = self.basis.iter().map(|b| dot(b, &weighted)).collect();
@@ -107,7 +111,7 @@ impl Krylov {
                 vector.iter_mut().zip(b).for_each(|(v, b)| *v -= share * b);
                 *component += share;
             }
-            operator.weigh(&vector, &mut weighted);
+            operator.weigh(&vector, &mut weighted)?;
         }
         let rest = dot(&vector, &weighted).max(0.0).sqrt();
         let adds = rest > DEPENDENT * length;
@@ -116,7 +120,7 @@ impl Krylov {
             vector.iter_mut().for_each(|v| *v /= rest);
             self.basis.push(vector);
         }
-        (components, adds)
+        Ok((components, adds))
     }
 
     /// Multiplies until so many vectors are, or until no vector is left that is not in the span.
@@ -132,7 +136,7 @@ impl Krylov {
             }
             let mut image = vec![0.0; self.unknowns];
             operator.apply(&self.basis[next], &mut image)?;
-            let (column, _) = self.orthogonalise(operator, image);
+            let (column, _) = self.orthogonalise(operator, image)?;
             self.columns.push(column);
         }
         Ok(())

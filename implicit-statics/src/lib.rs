@@ -14,7 +14,7 @@
 //! | take the branch that leaves a bifurcation | [`Branches`] in [`CriticalOptions`]; from a point of a path that is done, [`switch_branch`] |
 //! | find equilibrium without a factor of the tangent, at a level or at many | [`relax`], [`Relaxation`] |
 //! | solve several systems together, with what they do to each other | [`Several`], over [`Joinable`] and [`Interaction`] |
-//! | know frequencies | [`natural_modes`] |
+//! | know frequencies; with the mass that a medium adds | [`natural_modes`]; [`natural_modes_with`] an [`AddedMass`] |
 //! | combine greatest answers of modes by a response spectrum | [`ResponseSpectrum`], [`ModesTogether`] |
 //! | integrate answers to noise over frequency | [`PowerDensity`], [`noise_frequencies`] |
 //! | estimate buckling loads | [`linear_buckling`] |
@@ -189,6 +189,7 @@
 //!
 //! ```text
 //! K φ = ω² M φ                      natural_modes: (K − σM)⁻¹M is iterated, σ the shift
+//! K φ = ω² (M + BᵀL⁻¹B) φ           natural_modes_with: the same, pressures of a medium as unknowns in the factor (AddedMass)
 //! (K + μ K_g) φ = 0                 linear_buckling: critical level λ + μ; (K + σK_g)⁻¹K is iterated, with eigenvalues μ/(μ − σ)
 //! ```
 //!
@@ -261,6 +262,7 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod added_mass;
 mod apart;
 mod block_pattern;
 mod bounds;
@@ -298,6 +300,7 @@ mod symbolic;
 mod vectors;
 mod woodbury;
 
+pub use added_mass::AddedMass;
 pub use block_pattern::BlockPattern;
 pub use bounds::OutOfBounds;
 pub use branch::switch_branch;
@@ -314,7 +317,7 @@ pub use harmonic::{
 };
 pub use inertia::Inertia;
 pub use iterative::{ConjugateOptions, Iterated, conjugate_response};
-pub use modal::{Mode, lowest_modes, natural_modes};
+pub use modal::{Mode, lowest_modes, natural_modes, natural_modes_with};
 pub use newton::{Converged, Increment, Newton, linear_response};
 pub use noise::{PowerDensity, noise_frequencies};
 pub use one_solve::OneSolve;

@@ -1,5 +1,6 @@
 //! Natural frequencies by shift and invert, with the count that proves them complete.
 
+use crate::added_mass::AddedMass;
 use crate::effort::{Counted, CountingSolver, Spectrum, Watch};
 use crate::eigen::{End, Krylov, Operator, Ritz};
 use crate::error::require;
@@ -52,7 +53,39 @@ pub fn natural_modes<'a, E: Equilibrium + ?Sized>(
     let beside = system.beside_pattern(level);
     let solver = CountingSolver::new(masses.len(), &pattern, system.coordinates().as_deref(), watch)?;
     let stiffness = Stiffness { pattern: &pattern, values: &values, beside: &beside };
-    modes_of(solver, stiffness, &masses, count, shift).map_err(|error| error.named(system, 0, level))
+    let inertia = Masses { own: &masses, added: None };
+    modes_of(solver, stiffness, inertia, count, shift).map_err(|error| error.named(system, 0, level))
+}
+
+/// The same with the mass that a medium beside it adds: `K φ = ω² (M + Mₐ) φ`, shapes with unit mass of both.
+pub fn natural_modes_with<'a, E: Equilibrium + ?Sized>(
+    system: &mut E,
+    level: f64,
+    added: &mut AddedMass,
+    (count, shift): (usize, f64),
+    watch: &'a mut Watch<'a>,
+) -> Result<Spectrum<Mode>, EquilibriumError> {
+    let pattern = system.pattern();
+    let mut values = vec![0.0; pattern.len()];
+    system.tangent(level, &mut values);
+    let masses = system.vibrating_masses();
+    require(
+        added.reach() <= masses.len(),
+        "unknown of an added mass",
+        added.reach() as f64,
+        "one of the system's",
+    )?;
+    let mut beside = system.beside_pattern(level);
+    let all = masses.len() + added.nodes();
+    beside.iter_mut().for_each(|term| term.along.resize(all, 0.0));
+    let solver = CountingSolver::new(all, &added.beside(masses.len(), &pattern), None, watch)?;
+    let stiffness = Stiffness { pattern: &pattern, values: &values, beside: &beside };
+    let inertia = Masses { own: &masses, added: Some(added) };
+    modes_of(solver, stiffness, inertia, count, shift).map_err(|error| match error {
+        // A node of the medium has no name.
+        EquilibriumError::Singular { unknown, .. } if unknown >= masses.len() => error,
+        error => error.named(system, 0, level),
+    })
 }
 
 /// Eigenpairs of `K φ = ω² M φ` with diagonal M nearest to a shift; K by its lower triangle.
@@ -68,7 +101,8 @@ pub fn lowest_modes<'a>(
     watch: &'a mut Watch<'a>,
 ) -> Result<Spectrum<Mode>, EquilibriumError> {
     let solver = CountingSolver::new(masses.len(), pattern, None, watch)?;
-    modes_of(solver, Stiffness { pattern, values: stiffness, beside: &[] }, masses, count, shift)
+    let inertia = Masses { own: masses, added: None };
+    modes_of(solver, Stiffness { pattern, values: stiffness, beside: &[] }, inertia, count, shift)
 }
 
 /// A tangent: entries of its pattern, and what it has beside.
@@ -79,16 +113,22 @@ struct Stiffness<'a> {
     beside: &'a [RankOne],
 }
 
-/// The same by a solver for the pattern.
+/// Masses of the unknowns, and what a medium adds.
+struct Masses<'a> {
+    own: &'a [f64],
+    added: Option<&'a mut AddedMass>,
+}
+
+/// The same by a solver for the pattern, with the nodes of the medium behind the unknowns.
 fn modes_of(
     solver: CountingSolver<'_>,
     stiffness: Stiffness<'_>,
-    masses: &[f64],
+    masses: Masses<'_>,
     count: usize,
     shift: f64,
 ) -> Result<Spectrum<Mode>, EquilibriumError> {
-    let n = masses.len();
-    let carrying = masses.iter().filter(|&&m| m > 0.0).count();
+    let n = masses.own.len();
+    let carrying = masses.own.iter().filter(|&&m| m > 0.0).count();
     require(
         count > 0 && count <= carrying,
         "number of modes",
@@ -124,7 +164,7 @@ fn modes_of(
 struct Vibration<'a, 'w> {
     solver: CountingSolver<'w>,
     stiffness: Stiffness<'a>,
-    masses: &'a [f64],
+    masses: Masses<'a>,
 }
 
 impl Vibration<'_, '_> {
@@ -134,11 +174,22 @@ impl Vibration<'_, '_> {
         let mut values = values.to_vec();
         for (&(row, column), value) in pattern.iter().zip(&mut values) {
             if row == column {
-                *value -= shift * self.masses[row];
+                *value -= shift * self.masses.own[row];
             }
         }
+        let of_medium = self.masses.added.as_ref().map_or(0, |added| added.append(shift, &mut values));
         let inertia = self.solver.factor(&values, beside)?;
-        Ok((inertia.negative, inertia.zero))
+        Ok((inertia.negative.saturating_sub(of_medium), inertia.zero))
+    }
+
+    /// Solves with the last factor; the medium feels nothing but the unknowns.
+    fn solve(&mut self, right: &mut [f64]) -> Result<(), EquilibriumError> {
+        let Some(added) = &self.masses.added else { return self.solver.solve(right) };
+        let mut all = right.to_vec();
+        all.resize(right.len() + added.nodes(), 0.0);
+        self.solver.solve(&mut all)?;
+        right.copy_from_slice(&all[..right.len()]);
+        Ok(())
     }
 
     /// Counts eigenvalues about the shift to a little beyond the last wanted one.
@@ -174,12 +225,16 @@ impl Vibration<'_, '_> {
         let mut left = vec![0.0; shape.len()];
         product(self.stiffness.pattern, self.stiffness.values, &shape, &mut left);
         self.stiffness.beside.iter().for_each(|term| term.add_product(1.0, &shape, &mut left));
-        for ((left, mass), value) in left.iter_mut().zip(self.masses).zip(&shape) {
+        for ((left, mass), value) in left.iter_mut().zip(self.masses.own).zip(&shape) {
             *left -= eigenvalue * mass * value;
         }
-        self.solver.solve(&mut left)?;
         let mut weighed = vec![0.0; left.len()];
-        self.weigh(&left, &mut weighed);
+        if let Some(added) = &mut self.masses.added {
+            added.add_product(&shape, &mut weighed)?;
+            left.iter_mut().zip(&weighed).for_each(|(left, weight)| *left -= eigenvalue * weight);
+        }
+        self.solve(&mut left)?;
+        self.weigh(&left, &mut weighed)?;
         let error = (eigenvalue - tau).abs() * dot(&left, &weighed).max(0.0).sqrt();
         Ok(Mode { eigenvalue, residual: error * pair.value.abs(), shape })
     }
@@ -187,13 +242,17 @@ impl Vibration<'_, '_> {
 
 impl Operator for Vibration<'_, '_> {
     fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError> {
-        self.weigh(v, out);
-        self.solver.solve(out)
+        self.weigh(v, out)?;
+        self.solve(out)
     }
 
-    fn weigh(&mut self, v: &[f64], out: &mut [f64]) {
+    fn weigh(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError> {
         for i in 0..v.len() {
-            out[i] = self.masses[i] * v[i];
+            out[i] = self.masses.own[i] * v[i];
+        }
+        match &mut self.masses.added {
+            Some(added) => added.add_product(v, out),
+            None => Ok(()),
         }
     }
 }

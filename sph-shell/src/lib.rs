@@ -376,7 +376,7 @@ pub use stiffeners::{BarForce, Stiffener};
 pub use ties::list::Tie;
 pub use ties::loss::TieLoss;
 pub use turning::TurningInertia;
-pub use wetted::wetting::{WetFaces, Wetting};
+pub use wetted::{WetColumn, WetFaces, Wetting};
 
 /// A shell of SPH particles, ready to be marched.
 pub struct Shell {

@@ -11,7 +11,7 @@ use super::path::{Levels, arc_length};
 use super::relaxation::RelaxedLevels;
 use super::started::StartedLevels;
 use super::{harmonic, heat, linear, modes, random_vibration, response_spectrum};
-use crate::bodies::{Ready, TangentCost};
+use crate::bodies::{InStillWater, Ready, TangentCost};
 use crate::run::Run;
 use crate::run::checkpoint::Stage;
 use crate::run::outcome::{Ended, Failure};
@@ -32,6 +32,8 @@ pub(super) enum Course {
     Linear(Linear),
     ArcLength(ArcLength),
     Modal(Modal),
+    /// Modes in still water.
+    WetModes(Modal, Box<InStillWater>),
     Harmonic(Harmonic),
     /// By response spectra or noise: of a scene whose bases shake it one by one, on so many threads.
     Shaken(Box<Checked>, usize),
@@ -92,7 +94,10 @@ impl Course {
                 ControlFlow::Break(arc_length(wanted, body.as_mut(), run))
             }
             (Self::Modal(wanted), Ready::Static(body)) => {
-                ControlFlow::Break(modes::modal(wanted.modes.get(), body.as_mut(), run))
+                ControlFlow::Break(modes::modal(wanted.modes.get(), None, body.as_mut(), run))
+            }
+            (Self::WetModes(wanted, water), Ready::Static(body)) => {
+                ControlFlow::Break(modes::modal(wanted.modes.get(), Some(water), body.as_mut(), run))
             }
             (Self::Harmonic(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(harmonic::harmonic(wanted, body.as_mut(), run))
@@ -139,6 +144,7 @@ impl Course {
             | Self::Linear(_)
             | Self::ArcLength(_)
             | Self::Modal(_)
+            | Self::WetModes(..)
             | Self::Harmonic(_)
             | Self::Shaken(..)
             | Self::Unshaken

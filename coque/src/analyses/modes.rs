@@ -4,14 +4,14 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use implicit_statics::{
-    BucklingMode, BucklingOptions, Counted, Effort, EquilibriumError, Mode, Prebuckling, Sign, Spectrum,
-    linear_buckling, natural_modes,
+    AddedMass, BucklingMode, BucklingOptions, Counted, Effort, EquilibriumError, Mode, Prebuckling, Sign,
+    Spectrum, linear_buckling, natural_modes, natural_modes_with,
 };
 use sph_core::Vec3;
 
 use super::frozen::{of_buckling, of_vibration};
 use crate::WarningKind;
-use crate::bodies::{StaticBody, extent};
+use crate::bodies::{InStillWater, StaticBody, extent};
 use crate::run::Run;
 use crate::run::outcome::Ended;
 use crate::run::progress::ProgressReport;
@@ -27,6 +27,8 @@ const SHIFTS: [f64; 3] = [1e-8, 1e-6, 1e-10];
 /// Part of the greatest ω² below which an ω² is zero, a rigid motion that springs leave free: they come out as 1e-14 of it on either side of
 /// zero, and the least bending of a thin shell is some 1e-8.
 const ROUNDED: f64 = 1e-12;
+/// Part of the square of a frequency that waves of the free surface may add before that is said: 1 % of the frequency.
+const WAVES: f64 = 0.02;
 /// Relative difference of a mode's level by the two linearisations beyond which the change of shape before buckling counts: a
 /// clamped cap has .18 and its path ends a fifth below the level, plates, columns and deep beams have .004 at most.
 const CHANGED: f64 = 0.1;
@@ -35,11 +37,20 @@ const CHANGED: f64 = 0.1;
 const MOVED: f64 = 0.05;
 
 /// Finds the lowest modes of vibration.
-pub(crate) fn modal(count: usize, system: &mut dyn StaticBody, run: &mut Run<'_>) -> Ended {
-    let Vibration { modes, unstable, .. } = match vibration(count, system, run) {
-        Ok(found) => found,
-        Err(ended) => return *ended,
-    };
+pub(crate) fn modal(
+    count: usize,
+    mut water: Option<&mut Box<InStillWater>>,
+    system: &mut dyn StaticBody,
+    run: &mut Run<'_>,
+) -> Ended {
+    let Vibration { modes, unstable, .. } =
+        match vibration_in(count, water.as_deref_mut().map(|water| &mut water.added), system, run) {
+            Ok(found) => found,
+            Err(ended) => return *ended,
+        };
+    if let Some(message) = water.and_then(|water| making_waves(&modes, water)) {
+        run.record.warn(WarningKind::SurfaceWaves, message);
+    }
     if unstable > 0 {
         let message = format!(
             "the state that vibrates is not stable: of the modes found {unstable} have a square of the frequency below zero, least {:.3e}, and \
@@ -80,6 +91,16 @@ pub(super) fn vibration(
     system: &mut dyn StaticBody,
     run: &mut Run<'_>,
 ) -> Result<Vibration, Box<Ended>> {
+    vibration_in(count, None, system, run)
+}
+
+/// The same with the mass that a medium adds.
+fn vibration_in(
+    count: usize,
+    mut added: Option<&mut AddedMass>,
+    system: &mut dyn StaticBody,
+    run: &mut Run<'_>,
+) -> Result<Vibration, Box<Ended>> {
     run.record.stable_step = system.stable_step();
     freeze_contact(system, run);
     if run.record.preload.is_some() {
@@ -87,13 +108,17 @@ pub(super) fn vibration(
     }
     let fastest = 2.0 / run.record.stable_step;
     let (mut watch, mut shift) = (watch(run), 0.0);
-    let mut spectrum = natural_modes(system, 0.0, count, 0.0, &mut watch);
+    let mut find = |system: &mut dyn StaticBody, shift: f64| match &mut added {
+        Some(added) => natural_modes_with(system, 0.0, added, (count, shift), &mut watch),
+        None => natural_modes(system, 0.0, count, shift, &mut watch),
+    };
+    let mut spectrum = find(system, 0.0);
     let floats =
         matches!(spectrum, Err(EquilibriumError::Mechanism { .. } | EquilibriumError::Singular { .. }));
     if floats {
         for below in SHIFTS {
             shift = -below * fastest * fastest;
-            spectrum = natural_modes(system, 0.0, count, shift, &mut watch);
+            spectrum = find(system, shift);
             if !matches!(spectrum, Err(EquilibriumError::Modes { .. })) {
                 break;
             }
@@ -103,6 +128,28 @@ pub(super) fn vibration(
     let modes = taken(spectrum, count, "frequencies squared", run)?;
     let unstable = if floats { 0 } else { below_zero(modes.iter().map(|mode| mode.eigenvalue), fastest) };
     Ok(Vibration { modes, shift, unstable })
+}
+
+/// What is doubtful about modes in still water that make waves of its surface, by the potential energy of those.
+fn making_waves(modes: &[Mode], water: &mut InStillWater) -> Option<String> {
+    let mut most: Option<(usize, f64)> = None;
+    let mut numbers = Vec::new();
+    for (number, mode) in modes.iter().enumerate().filter(|(_, mode)| mode.eigenvalue > 0.0) {
+        let share = water.share_of_waves(&mode.shape, mode.eigenvalue).ok()?;
+        if share > WAVES {
+            numbers.push((number + 1).to_string());
+            if most.is_none_or(|(_, greatest)| share > greatest) {
+                most = Some((number + 1, share));
+            }
+        }
+    }
+    let (number, share) = most?;
+    Some(format!(
+        "the free surface of the water bears no pressure, and under gravity mode {number} makes waves of it that hold {share:.3} of its energy (more than \
+         {WAVES} in modes {}): its frequency may be {:.1} % higher, or mixed with that of the waves. March it by [analysis.explicit.transient]",
+        numbers.join(", "),
+        50.0 * share,
+    ))
 }
 
 /// Freezes what touches as the preload left it, and notes what that is.

@@ -19,6 +19,7 @@ use crate::run::contact_watch::ContactWatch;
 use crate::run::glue_watch;
 use crate::run::outcome::{Ended, Failure, Outcome};
 use crate::run::over_time::OverTime;
+use crate::scene::Analysis;
 
 /// A run under way: a model, how far its analysis has come, and what was found so far.
 ///
@@ -123,10 +124,13 @@ impl<'a> Simulation<'a> {
         let from = from.filter(|stage| !matches!(stage, Stage::Preload));
         Self {
             preloads: from.is_none(),
-            course: match (model.cases.take(), model.shaken.take()) {
-                (Some(cases), _) => Course::Cases(Box::new(Cases::new(*cases, model.threads))),
-                (None, Some(scene)) => Course::Shaken(scene, model.threads),
-                (None, None) => Course::new(
+            course: match (model.cases.take(), model.shaken.take(), &model.task.analysis) {
+                (Some(cases), ..) => Course::Cases(Box::new(Cases::new(*cases, model.threads))),
+                (None, Some(scene), _) => Course::Shaken(scene, model.threads),
+                (None, None, &Analysis::Modal(wanted)) if model.water.is_some() => {
+                    model.water.take().map_or(Course::Modal(wanted), |water| Course::WetModes(wanted, water))
+                }
+                (None, None, _) => Course::new(
                     &model.task.analysis,
                     (model.description.tangent, particles),
                     from,

@@ -2,6 +2,7 @@
 
 use super::contacts_of_scene::ContactsOfScene;
 use super::coupled::build::coupled_model;
+use super::coupled::still::still_model;
 use super::galerkin::build::galerkin_model;
 use super::model::Model;
 use super::refusal::not_a;
@@ -11,7 +12,7 @@ use super::solid::build::solid_model;
 use super::together::build::together_model;
 use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
 use crate::scene::error::SceneError;
-use crate::scene::{BodyScene, Checked};
+use crate::scene::{Analysis, BodyScene, Checked};
 
 impl Checked {
     /// Builds the body; a run will use `threads` threads (at least one), with the same results for any number.
@@ -33,6 +34,9 @@ impl Checked {
         let bodies = self.bodies_in_scene()?;
         for of_fluid in &bodies {
             if let BodyScene::Fluid(fluid) = of_fluid.body {
+                if matches!(of_fluid.analysis, Analysis::Modal(_)) {
+                    return still_model(&bodies, of_fluid, fluid, threads);
+                }
                 return coupled_model(&bodies, of_fluid, fluid, threads);
             }
         }

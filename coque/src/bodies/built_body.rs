@@ -65,6 +65,7 @@ impl BuiltBody<Ready> {
             barred,
             cases: None,
             shaken: None,
+            water: None,
             increments: Vec::new(),
             ranks: None,
             surrounding: None,

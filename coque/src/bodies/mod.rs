@@ -11,6 +11,7 @@
 //! | what loads and supports amount to | `resultants.rs` |
 //! | what stresses say whatever their axes; stresses of plies; at particles | `invariants.rs`; `plies.rs`; `recovered.rs` |
 //! | which rigid motions are free | `rigid.rs` |
+//! | still water about bodies at rest | `in_water.rs` |
 //! | bodies that nothing keeps apart | `outline.rs`, `unseen.rs` |
 //! | contacts with what they do now, and their names | `contact_now.rs`, `contacts_of_scene.rs` |
 //! | glue with what it does now | `glue_now.rs` |
@@ -34,6 +35,7 @@ pub(crate) mod from_file;
 mod galerkin;
 mod glue_now;
 mod imperfect;
+mod in_water;
 mod invariants;
 pub(crate) mod memory;
 pub(crate) mod model;
@@ -67,6 +69,7 @@ pub use contact_now::{ContactFields, ContactNow, Spanned, With};
 pub use field_source::{FieldRequest, FieldSource, Part, State, StressFields};
 pub use figures::FluidFigures;
 pub use glue_now::GlueNow;
+pub(crate) use in_water::InStillWater;
 pub use memory::Memory;
 pub(crate) use model::Identity;
 pub use model::{Model, NoPush, Surrounding, Task};

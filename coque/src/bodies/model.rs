@@ -8,6 +8,7 @@ use sph_core::{Cell, Vec3};
 
 use super::body::{Description, PrescribedPoint, Shape};
 use super::contacts_of_scene::ContactsOfScene;
+use super::in_water::InStillWater;
 use super::memory::Memory;
 use super::one_process::{NotShared, OneProcess};
 use super::probe::Probe;
@@ -76,6 +77,8 @@ pub struct Model {
     pub(crate) cases: Option<Box<Checked>>,
     /// Its scene, where bases shake it one by one.
     pub(crate) shaken: Option<Box<Checked>>,
+    /// The still water about it, where its modes are sought in some.
+    pub(crate) water: Option<Box<InStillWater>>,
     /// Changes of the state from one level to the next, from which the levels of a static analysis start; none where each starts at the one
     /// before.
     pub(crate) increments: Vec<Vec<f64>>,
@@ -137,6 +140,7 @@ impl Model {
             barred: None,
             cases: None,
             shaken: None,
+            water: None,
             increments: Vec::new(),
             ranks: None,
             surrounding: None,

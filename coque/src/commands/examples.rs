@@ -161,6 +161,7 @@ const EXAMPLES: [Example; 113] = [
     Example::new("deck-in-quake", 5.0, include_str!("../../../scenes/deck-in-quake.toml")),
     Example::new("deck-by-spectrum", 0.3, include_str!("../../../scenes/deck-by-spectrum.toml")),
     Example::new("panel-in-noise", 1.0, include_str!("../../../scenes/panel-in-noise.toml")),
+    Example::new("plate-in-water-modes", 0.3, include_str!("../../../scenes/plate-in-water-modes.toml")),
     Example::new("wave-flume", 15.0, include_str!("../../../scenes/wave-flume.toml")),
 ];
 

@@ -14,5 +14,6 @@ mod fluid_scenes;
 mod moored;
 mod openings;
 mod periodic;
+mod still;
 mod unseen_contact;
 mod waves;

@@ -204,3 +204,34 @@ fn what_is_no_record_is_refused() {
     );
     insta::assert_snapshot!(said);
 }
+
+/// The first numbers of a spectrum by frequency are frequencies, in its own table and in those of its dampings; by period they are times.
+#[test]
+fn a_spectrum_by_frequency_has_frequencies() {
+    let folder = folder("by_frequency");
+    fs::write(folder.join("push.csv"), "f,S\n0.01,0.5\n0.04,1\n").unwrap();
+    let spectrum = |by: &str, unit: &str, course: &str| {
+        let record =
+            format!("amplitude = {{ record = {{ file = \"push.csv\", units = [\"{unit}\", \"g\"] }} }}");
+        let record = if course == "#" { record } else { record.replace("\"g\"", "\"-\"") };
+        let course = course.replace('#', &record);
+        let loads = STRIP.find("loads = ").unwrap()..STRIP.find("analysis").unwrap();
+        let mut text = STRIP.to_string();
+        text.replace_range(loads, "");
+        let base = format!("base = [{{ acceleration = [0, 0, 1], by = \"{by}\", {course} }}]");
+        text = text.replace(
+            "explicit.transient = { duration = 0.02, record_every = 0.005 }",
+            &format!("response-spectrum = {{ modes = 2, damping.ratio = 0.05, {base} }}"),
+        );
+        Scene::with_overrides(&text, &folder.join("strip.toml").display().to_string(), &[])
+    };
+    // A spectrum for one damping stands apart from the acceleration that it multiplies.
+    for (course, g) in [("#", 9.806_65), ("damped = [{ ratio = 0.05, # }]", 1.0)] {
+        let scene = spectrum("frequency", "kHz", course).unwrap();
+        let Analysis::ResponseSpectrum(wanted) = &scene.analysis else { panic!() };
+        let curves = wanted.base[0].spectrum().curves;
+        assert_eq!(curves[0].1, [[10.0, 0.5 * g], [40.0, g]], "{course}");
+        assert!(spectrum("frequency", "ms", course).is_err(), "{course}");
+        assert!(spectrum("period", "kHz", course).is_err() && spectrum("period", "ms", course).is_ok());
+    }
+}

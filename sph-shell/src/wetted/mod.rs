@@ -5,3 +5,6 @@ mod sheet;
 mod strip;
 pub(crate) mod surface;
 pub(crate) mod wetting;
+
+pub use surface::WetColumn;
+pub use wetting::{WetFaces, Wetting};

@@ -37,6 +37,34 @@ struct Resisting {
     seen: f64,
 }
 
+/// A column of a wet shell, for whoever asks what its faces do to a fluid without marching both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WetColumn {
+    /// Its place on the middle surface \[L\].
+    pub place: Vec3,
+    /// Unit director there.
+    pub normal: Vec3,
+    /// The area that it stands for \[L²\].
+    pub area: f64,
+    /// Whether the face to which the director points is wet, and the other.
+    pub wet: [bool; 2],
+    /// Particles of whose places its own is the mean, with their weights.
+    pub weights: Vec<(u32, f64)>,
+}
+
+impl Shell {
+    /// The columns of its wet surface; none of a dry shell.
+    pub fn wet_columns(&self) -> Vec<WetColumn> {
+        let wetted = self.loading.wetted.as_ref();
+        wetted.map_or_else(Vec::new, |surface| surface.columns(&self.motion.state))
+    }
+
+    /// Width of a strip that is wet in a plane \[L\]; none in space.
+    pub fn wet_width(&self) -> Option<f64> {
+        self.loading.wetted.as_ref().and_then(|surface| surface.width)
+    }
+}
+
 /// The wet surface of a shell.
 #[derive(Clone, Debug)]
 pub(crate) struct Surface {
@@ -114,6 +142,22 @@ impl Surface {
                 }
             }
         }
+    }
+
+    /// The columns as they stand.
+    pub fn columns(&self, state: &[Row]) -> Vec<WetColumn> {
+        let wet = [Face::Front, Face::Back].map(|face| self.heights.iter().any(|row| row.0 == face));
+        let column = |number: usize| {
+            let [place, d] = halves(&self.flat(self.middle.mean(number, state)));
+            WetColumn {
+                place: place.into(),
+                normal: unit(d).into(),
+                area: self.areas[number],
+                wet,
+                weights: self.middle.weights(number).to_vec(),
+            }
+        };
+        (0..self.areas.len()).map(column).collect()
     }
 
     /// Velocities of the points.

@@ -148,7 +148,7 @@ fn joints_between(
 }
 
 /// The rows of all walls.
-fn coupled_walls<'a>(
+pub(super) fn coupled_walls<'a>(
     bodies: &'a [BodyInScene<'a>],
     fluid: &FluidScene,
 ) -> Result<Vec<BuiltWalls<'a>>, SceneError> {

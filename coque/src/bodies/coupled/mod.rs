@@ -10,6 +10,7 @@ mod layout;
 mod probes;
 mod reach;
 mod soft;
+pub(super) mod still;
 mod structures;
 mod watch;
 mod watched;

@@ -2,15 +2,13 @@
 
 use rigid_body::Outline;
 use sph_core::Vec3;
-use sph_shell::Wetting;
 
 use super::body::Structure;
 use crate::bodies::BuiltBody;
-use crate::bodies::fluid::parts::rows_deep;
 use crate::bodies::rigid_body::build::rigid_made;
 use crate::bodies::shell::build::shell_made;
 use crate::bodies::solid::build::solid_made;
-use crate::bodies::together::{Side, of_bonds, of_rigid, of_shell};
+use crate::bodies::together::{Side, of_bonds, of_rigid, of_shell, wetting};
 use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
 use crate::scene::error::SceneError;
 use crate::scene::{BodyScene, FluidScene, SolidScene};
@@ -50,16 +48,9 @@ pub(super) fn wet<'a>(
 ) -> Result<Option<WettedBody<'a>>, SceneError> {
     match scene.body {
         BodyScene::Shell(shell) => {
-            let wetting = Wetting {
-                spacing: fluid.geometry.spacing(),
-                rows: rows_deep(fluid),
-                faces: shell.wet.unwrap_or_default(),
-                plane: fluid.dimensions() == 2,
-                free_edges: Vec::new(),
-            };
             // The checks leave a shell in a fluid no material or section of a file.
             let area_density = shell.density().zip(shell.section.thickness()).map_or(0.0, |(rho, t)| rho * t);
-            let made = shell_made(&ShellInScene::new(scene, shell), threads, Some(wetting))?;
+            let made = shell_made(&ShellInScene::new(scene, shell), threads, Some(wetting(shell, fluid)))?;
             let side = of_shell(scene, &made.body)?;
             let made = made.map(|shell| Box::new(shell) as _);
             Ok(Some(WettedBody { scene, made, area_density, side, hull: None }))

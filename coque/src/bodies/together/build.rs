@@ -20,6 +20,7 @@ use super::parts::{Balanced, BalancedPart, Marched, MarchedPart};
 use super::sides::{of_bonds, of_galerkin, of_rigid, of_shell};
 use super::tooled::on_tools;
 use super::touched::contacts;
+use super::wet::{WetSurface, wetting};
 use crate::bodies::beside::{identity, judge_each, lines};
 use crate::bodies::body::Body;
 use crate::bodies::galerkin::build::galerkin_made;
@@ -31,7 +32,7 @@ use crate::bodies::{BuiltBody, Description, Memory, Model, Probe, Ready};
 use crate::scene::body_in_scene::{BodyInScene, ShellInScene};
 use crate::scene::error::SceneError;
 use crate::scene::owner::Owner;
-use crate::scene::{Analysis, BodyScene, Scene};
+use crate::scene::{Analysis, BodyScene, FluidScene, Scene};
 use crate::warning::{Warning, WarningKind};
 
 /// A body as it was built, in time or at rest.
@@ -55,9 +56,21 @@ pub(in crate::bodies) fn together_model(
     bodies: &[BodyInScene<'_>],
     threads: usize,
 ) -> Result<Model, SceneError> {
+    Ok(together_in(scene, bodies, None, threads)?.0)
+}
+
+/// The same of shells that a fluid wets, with their wet surfaces, whose unknowns are those of all together.
+pub(in crate::bodies) fn together_in(
+    scene: &Scene,
+    bodies: &[BodyInScene<'_>],
+    fluid: Option<&FluidScene>,
+    threads: usize,
+) -> Result<(Model, Vec<WetSurface>), SceneError> {
     let (mut made, mut sides, mut faces) = (Vec::new(), Vec::new(), BTreeMap::new());
+    let mut wet = Vec::new();
     for body in bodies {
-        let Surfaced { part, side, own } = part(body, threads)?;
+        let Surfaced { part, side, own, surface } = part(body, fluid, threads)?;
+        wet.push(surface);
         made.push((body.name, part));
         sides.extend(side);
         faces.extend(own.map(|own| (body.name.to_string(), own)));
@@ -109,6 +122,12 @@ pub(in crate::bodies) fn together_model(
             Part::Balanced(body) => balanced.push(body),
         }
     }
+    let mut end = 0;
+    let first = |body: &Box<dyn BalancedPart>| {
+        end += body.unknowns();
+        end - body.unknowns()
+    };
+    let firsts: Vec<usize> = balanced.iter().map(first).collect();
     if matches!(scene.analysis, Analysis::Linear(_)) {
         let mut end = 0;
         let forces = balanced.iter().map(|body| {
@@ -148,11 +167,13 @@ pub(in crate::bodies) fn together_model(
         }
     };
     let (driven, judge) = (None, Some(judge_each(judges)));
+    let wet = wet.into_iter().zip(firsts);
+    let wet = wet.filter_map(|(surface, first)| surface.map(|surface| surface.numbered_from(first)));
     let own_sets = BTreeMap::new();
     let sets = if scene.output.fields.is_some() { sets } else { BTreeMap::new() };
     let made =
         BuiltBody { body, description, memory, identity, probes, driven, warnings, judge, sets: own_sets };
-    Ok(Model { sets, ..made.model(scene, threads) })
+    Ok((Model { sets, ..made.model(scene, threads) }, wet.collect()))
 }
 
 /// What is said of a Galerkin solid that touches: its surface moves by shape functions some spacings wide.
@@ -221,20 +242,29 @@ struct Surfaced {
     part: BuiltBody<Part>,
     side: Option<Side>,
     own: Option<Faces>,
+    /// What of it a fluid wets.
+    surface: Option<WetSurface>,
 }
 
 /// Builds one of the bodies.
-fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<Surfaced, SceneError> {
+fn part(scene: &BodyInScene<'_>, fluid: Option<&FluidScene>, threads: usize) -> Result<Surfaced, SceneError> {
     let marched = matches!(scene.analysis, Analysis::Explicit(_));
     let glued = scene.glued.then_some(());
+    let mut surface = None;
     let (part, side, own) = match scene.body {
         BodyScene::Shell(shell) => {
-            let made = shell_made(&ShellInScene::new(scene, shell), threads, None)?;
+            let wetting = fluid.map(|fluid| wetting(shell, fluid));
+            let made = shell_made(&ShellInScene::new(scene, shell), threads, wetting)?;
             let side = of_shell(scene, &made.body)?;
             let own = glued.map(|()| Faces::of_shell(&made.body));
+            surface = fluid.map(|_| WetSurface::of(&made.body));
             let part = made.map(|shell| match marched {
                 true => Part::Marched(Box::new(shell)),
-                false => Part::Balanced(Box::new(StaticShell::new(shell))),
+                false => {
+                    let shell = StaticShell::new(shell);
+                    surface.iter_mut().for_each(|surface| surface.find_unknowns(&shell));
+                    Part::Balanced(Box::new(shell))
+                }
             });
             (part, side, own)
         }
@@ -268,7 +298,7 @@ fn part(scene: &BodyInScene<'_>, threads: usize) -> Result<Surfaced, SceneError>
         }
         BodyScene::Fluid(_) | BodyScene::Walls(_) => return Err(not_a(scene, "shell")),
     };
-    Ok(Surfaced { part, side, own })
+    Ok(Surfaced { part, side, own, surface })
 }
 
 /// The columns in the order of the scene; `own` are those of each body.

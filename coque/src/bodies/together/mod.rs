@@ -30,6 +30,7 @@ mod sides;
 mod skin;
 mod tooled;
 mod touched;
+mod wet;
 
 pub(super) use contact::{Side, TouchingBodies};
 pub(super) use joints::{BetweenBodies, SetsOfBodies};
@@ -41,3 +42,4 @@ pub(super) use parts::Parts;
 pub(super) use sides::{of_bonds, of_rigid, of_shell};
 pub(super) use tooled::on_tools;
 pub(super) use touched::contacts;
+pub(super) use wet::{WetSurface, wetting};

@@ -4,10 +4,13 @@ use std::collections::BTreeSet;
 
 use super::check_alone;
 use super::curve::{check_column_name, check_measured_alike, check_plot};
-use super::fluid::{check_current, check_openings, check_periodic, check_sound_speed, check_waves};
+use super::fluid::{
+    check_current, check_openings, check_periodic, check_sound_speed, check_still, check_waves,
+};
 use super::made::check_owners_of_made;
 use super::several::{check_joints, check_several};
 use super::wet_rigid::check_wet_rigid;
+use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::{BodyInScene, OnSet, gravity_on};
 use crate::scene::column_names::mean_of;
 use crate::scene::coupling::Coupling;
@@ -46,7 +49,7 @@ pub(super) fn check_kinds(scene: &Scene) -> Verdict {
 pub(super) fn check_together(scene: &Scene) -> Verdict {
     let in_fluid = scene.fluid().is_some();
     if in_fluid {
-        check_transient(scene)?;
+        check_analysis_of_fluid(scene)?;
     }
     check_owners(scene)?;
     check_joints(scene)?;
@@ -71,13 +74,17 @@ pub(super) fn check_together(scene: &Scene) -> Verdict {
     check_columns_together(scene)
 }
 
-fn check_transient(scene: &Scene) -> Verdict {
+fn check_analysis_of_fluid(scene: &Scene) -> Verdict {
     let kind = scene.analysis.kind();
     if kind.passes_time {
         return Ok(());
     }
-    let repair = "use [analysis.explicit.transient]";
-    let bound = "a transient run: a scene with a fluid has no other analysis";
+    if matches!(scene.analysis, Analysis::Modal(_)) {
+        return check_still(scene);
+    }
+    let repair = "use [analysis.explicit.transient] or [analysis.modal]";
+    let bound =
+        "a transient run, or modes of shells in still water: a scene with a fluid has no other analysis";
     Err(SceneError::Choice(scene.scope().fault(&format!("analysis.{}", kind.word), kind.name, bound, repair)))
 }
 

@@ -31,20 +31,28 @@ const STANDARD: f64 = 9.806_65;
 /// Of an acceleration.
 const ACCELERATION: Dimension = Dimension::Of([1, 0, -2]);
 
+/// What the first numbers of a record are.
+const TIMES: (&str, Dimension) = ("times", Dimension::Of([0, 0, 1]));
+const FREQUENCIES: (&str, Dimension) = ("frequencies", Dimension::Of([0, 0, -1]));
+
 /// What a course multiplies.
 #[derive(Clone, Copy)]
 pub(super) struct Multiplied {
+    /// What its first numbers are: times, or frequencies of a spectrum by those.
+    first: (&'static str, Dimension),
     /// Its key, with its dimension; none where there is no one.
     one: Option<(&'static str, Dimension)>,
 }
 
 impl Multiplied {
-    /// Of the course that stands in a table.
-    pub fn beside(path: &str, table: &DeTable<'_>) -> Self {
+    /// Of the course that stands in a table, or of a spectrum by frequency.
+    pub fn beside(path: &str, table: &DeTable<'_>, by_frequency: bool) -> Self {
         let own = path.rsplit('.').next().unwrap_or_default();
         let mut found = MULTIPLIED.iter().filter(|(key, _)| *key == own || table.contains_key(*key));
         let first = found.next().filter(|_| found.next().is_none());
-        Self { one: first.and_then(|(key, described)| Some((*key, Dimension::described(described)?))) }
+        let one = first.and_then(|(key, described)| Some((*key, Dimension::described(described)?)));
+        let first = if by_frequency { FREQUENCIES } else { TIMES };
+        Self { first, one }
     }
 }
 
@@ -59,11 +67,11 @@ pub(super) fn convert(
     own: Option<&Units>,
 ) -> Result<(), Misread> {
     for [t, x] in points {
-        *t = converted(*t, time, own, |dimension, own| {
-            let wanted = Dimension::Of([0, 0, 1]);
-            (dimension != wanted).then(|| format!("{}, or \"-\", of times", wanted.word(own)))
+        let (what, wanted) = multiplied.first;
+        *t = converted(*t, time, what, own, |dimension, own| {
+            (dimension != wanted).then(|| format!("{}, or \"-\", of {what}", wanted.word(own)))
         })?;
-        *x = converted(*x, number, own, |dimension, own| {
+        *x = converted(*x, number, what, own, |dimension, own| {
             let Some((key, wanted)) = multiplied.one else {
                 return Some("\"-\": the course is a factor on what has no one unit".into());
             };
@@ -79,6 +87,7 @@ pub(super) fn convert(
 fn converted(
     number: f64,
     unit: &str,
+    first: &str,
     own: Option<&Units>,
     bound: impl Fn(Dimension, &Units) -> Option<String>,
 ) -> Result<f64, Misread> {
@@ -103,7 +112,10 @@ fn converted(
     match bound(dimension, own) {
         None => Ok(number),
         Some(bound) => {
-            let repair = "the first unit is that of times, the second that of numbers; write \"-\" where they are factors, as in units = [\"s\", \"-\"]";
+            let such = if first == FREQUENCIES.0 { "Hz" } else { "s" };
+            let repair = format!(
+                "the first unit is that of {first}, the second that of numbers; write \"-\" where they are factors, as in units = [\"{such}\", \"-\"]"
+            );
             Err(Misread::new("units", named, bound, repair))
         }
     }

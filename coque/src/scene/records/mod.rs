@@ -30,6 +30,9 @@ const RECORD: &str = "record";
 const AMPLITUDE: &str = "amplitude";
 /// Table of the texts of files.
 const FILES: &str = "files";
+/// What says by what a spectrum goes, and that it does so by frequency.
+const BY: &str = "by";
+const FREQUENCY: &str = "frequency";
 /// What a record becomes.
 const TABLE: &str = "table";
 
@@ -46,7 +49,7 @@ pub(super) type Tables = BTreeMap<usize, String>;
 pub(super) fn read(document: &DeTable<'_>, source: &Source) -> Result<Tables, SceneError> {
     let mut tables = Tables::new();
     let units = units(document);
-    walk("", document, &mut |path, (at, table), multiplied| {
+    walk("", document, false, &mut |path, (at, table), multiplied| {
         let record =
             Record::deserialize(toml::de::Deserializer::from(Spanned::new(at.clone(), table.clone())));
         let record = record.map_err(|error| source.refusal(&error))?;
@@ -108,7 +111,7 @@ pub(super) fn files_of(
     source: &Source,
 ) -> Result<BTreeMap<String, String>, SceneError> {
     let mut found = BTreeMap::new();
-    walk("", document, &mut |path, (_, table), _| {
+    walk("", document, false, &mut |path, (_, table), _| {
         let Some(DeValue::String(file)) = table.get("file").map(Spanned::get_ref) else { return Ok(()) };
         if kept(document, file).is_none() {
             found.insert(file.to_string(), text_of(document, file, path, source)?.into_owned());
@@ -159,8 +162,10 @@ pub(super) fn holds_files(document: &DeTable<'_>) -> bool {
 type Visit<'v, 'd> =
     &'v mut dyn FnMut(&str, (std::ops::Range<usize>, &'d DeTable<'d>), Multiplied) -> Verdict;
 
-/// Visits every record of a document.
-fn walk<'d>(path: &str, table: &'d DeTable<'d>, visit: Visit<'_, 'd>) -> Verdict {
+/// Visits every record of a document; a spectrum by frequency says so in its own table or in one about it.
+fn walk<'d>(path: &str, table: &'d DeTable<'d>, by_frequency: bool, visit: Visit<'_, 'd>) -> Verdict {
+    let by = table.get(BY).and_then(|by| by.get_ref().as_str());
+    let by_frequency = by.map_or(by_frequency, |by| by == FREQUENCY);
     for (key, value) in table {
         let path_of_value = below(path, key.get_ref());
         if let (AMPLITUDE, DeValue::Table(course)) = (&**key.get_ref(), value.get_ref())
@@ -168,20 +173,26 @@ fn walk<'d>(path: &str, table: &'d DeTable<'d>, visit: Visit<'_, 'd>) -> Verdict
             && let DeValue::Table(own) = record.get_ref()
         {
             let at = (record.span(), own);
-            visit(&format!("{path_of_value}.{RECORD}"), at, Multiplied::beside(path, table))?;
+            visit(&format!("{path_of_value}.{RECORD}"), at, Multiplied::beside(path, table, by_frequency))?;
             continue;
         }
-        walk_in(&path_of_value, value, visit)?;
+        walk_in(&path_of_value, value, by_frequency, visit)?;
     }
     Ok(())
 }
 
-fn walk_in<'d>(path: &str, value: &'d Spanned<DeValue<'d>>, visit: Visit<'_, 'd>) -> Verdict {
+fn walk_in<'d>(
+    path: &str,
+    value: &'d Spanned<DeValue<'d>>,
+    by_frequency: bool,
+    visit: Visit<'_, 'd>,
+) -> Verdict {
     match value.get_ref() {
         DeValue::Array(items) => {
-            items.iter().enumerate().try_for_each(|(i, item)| walk_in(&format!("{path}[{i}]"), item, visit))
+            let mut items = items.iter().enumerate();
+            items.try_for_each(|(i, item)| walk_in(&format!("{path}[{i}]"), item, by_frequency, visit))
         }
-        DeValue::Table(table) => walk(path, table, visit),
+        DeValue::Table(table) => walk(path, table, by_frequency, visit),
         _ => Ok(()),
     }
 }

@@ -10,6 +10,7 @@ mod gate_alone;
 mod irregular_waves;
 pub mod measure;
 mod plate;
+mod plate_in_water;
 mod ring;
 mod scenes;
 mod source_settings;
@@ -38,6 +39,7 @@ pub fn all() -> Vec<Case> {
         scenes::case(),
         source_settings::case(),
         sprung_floor::case(),
+        plate_in_water::case(),
         floating_box::case(),
         wave_flume::case(),
         irregular_waves::case(),

@@ -5,6 +5,7 @@ mod current;
 mod openings;
 mod periodic;
 mod speed;
+mod still;
 mod walls;
 mod waves;
 
@@ -19,6 +20,7 @@ pub(super) use self::current::check_current;
 pub(super) use self::openings::check_openings;
 pub(super) use self::periodic::check_periodic;
 pub(super) use self::speed::check_sound_speed;
+pub(super) use self::still::check_still;
 pub(super) use self::waves::check_waves;
 
 /// Bounds what a scene may allocate: ten million particles take some three gigabytes.

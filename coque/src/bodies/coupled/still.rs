@@ -1,0 +1,118 @@
+//! Shells in still water, whose modes are sought: the water adds mass to them.
+
+use fluid_sph::{Screen, StillParts, StillWater, WetSite};
+use implicit_statics::{AddedMass, EquilibriumError};
+use sph_core::Vec3;
+
+use super::build::coupled_walls;
+use crate::bodies::fluid::places;
+use crate::bodies::memory::check_memory;
+use crate::bodies::refusal::body_error;
+use crate::bodies::together::WetSurface;
+use crate::bodies::together::build::together_in;
+use crate::bodies::{InStillWater, Model, Ready};
+use crate::scene::body_in_scene::{BodyInScene, gravity_on};
+use crate::scene::error::SceneError;
+use crate::scene::{BodyScene, FluidScene};
+
+/// Builds the shells of a scene in its still water.
+pub(in crate::bodies) fn still_model(
+    bodies: &[BodyInScene<'_>],
+    of_fluid: &BodyInScene<'_>,
+    wanted: &FluidScene,
+    threads: usize,
+) -> Result<Model, SceneError> {
+    check_memory(of_fluid, wanted.particles_asked())?;
+    let walls = coupled_walls(bodies, wanted)?;
+    let walls: Vec<Vec3> = (walls.iter().flat_map(|body| &body.rows.pieces))
+        .flat_map(|piece| piece.points.iter().copied())
+        .collect();
+    let shells = bodies.iter().filter(|body| matches!(body.body, BodyScene::Shell(_)));
+    let shells: Vec<BodyInScene<'_>> = shells.cloned().collect();
+    let (mut model, wet) = together_in(of_fluid.scene, &shells, Some(wanted), threads)?;
+    let refuse =
+        |message: &str| body_error(of_fluid, &format!("geometry.{}", wanted.geometry.word()), message);
+    let (screens, sites) = (screens(&wet), sites(&wet));
+    let parts = StillParts {
+        dimensions: wanted.dimensions(),
+        spacing: wanted.geometry.spacing(),
+        density: wanted.liquid().density.get(),
+        width: wet.iter().find_map(|surface| surface.width).unwrap_or(1.0),
+        positions: &places::places(wanted),
+        walls: &walls,
+        screens: &screens,
+        sites: &sites,
+    };
+    let water = StillWater::new(&parts).map_err(|error| refuse(&error.to_string()))?;
+    let scale = scale(&water, &mut model);
+    let added = added(&water, &wet, scale).map_err(|error| refuse(&error.to_string()))?;
+    model.description.modelled.push(format!(
+        "{}: still water of density {}, {} cells and {} places of wet faces: an ideal fluid without compression, whose free surface bears no pressure",
+        of_fluid.name,
+        parts.density,
+        water.cells,
+        water.nodes - water.cells,
+    ));
+    let left = "compression and friction of the water, waves that gravity makes of its surface, its pressure at rest";
+    model.description.left_out.push(left.into());
+    let gravity = gravity_on(of_fluid.scene, of_fluid.name);
+    model.water = Some(Box::new(InStillWater { water, added, scale, gravity }));
+    Ok(model)
+}
+
+fn screens(wet: &[WetSurface]) -> Vec<Screen> {
+    let of = |surface: &WetSurface| {
+        let half = surface.half;
+        surface.middle.iter().map(move |&corners| Screen { corners, half }).collect::<Vec<_>>()
+    };
+    wet.iter().flat_map(of).collect()
+}
+
+/// Places of the wet faces of all shells: of each column the one to which the director points, then the other.
+fn sites(wet: &[WetSurface]) -> Vec<WetSite> {
+    let mut all = Vec::new();
+    for surface in wet {
+        for column in &surface.columns {
+            for (_, sign) in faces(column.wet) {
+                let (place, normal) = (column.place, column.normal * sign);
+                all.push(WetSite { place, normal, half: surface.half, area: column.area });
+            }
+        }
+    }
+    all
+}
+
+/// Wet faces with the sign of their normal along the director.
+fn faces(wet: [bool; 2]) -> impl Iterator<Item = (usize, f64)> {
+    [(0, 1.0), (1, -1.0)].into_iter().filter(move |&(face, _)| wet[face])
+}
+
+/// A power of two by whose square the Laplacian of the water is as great as the stiffness of the shells, the mass of a particle by the square of the fastest
+/// motion; one where that is not known.
+fn scale(water: &StillWater, model: &mut Model) -> f64 {
+    let Ready::Static(body) = &mut model.body else { return 1.0 };
+    let mass = body.vibrating_masses().into_iter().fold(0.0, f64::max);
+    let (step, own) = (body.stable_step(), water.values.iter().copied().fold(0.0, f64::max));
+    let stiffness = 4.0 * mass / (step * step);
+    let exponent = libm::round(0.5 * libm::log2(stiffness / own));
+    if exponent.is_finite() { libm::exp2(exponent) } else { 1.0 }
+}
+
+/// The mass that the water adds, its pressures in such a unit; sites come in the order of [`sites`].
+fn added(water: &StillWater, wet: &[WetSurface], scale: f64) -> Result<AddedMass, EquilibriumError> {
+    let (mut flux, mut site) = (Vec::new(), 0);
+    for surface in wet {
+        for (column, along) in surface.columns.iter().zip(&surface.along) {
+            for (_, sign) in faces(column.wet) {
+                if let Some(node) = water.sites[site] {
+                    let of =
+                        |&(unknown, way): &(usize, f64)| (node, unknown, scale * sign * column.area * way);
+                    flux.extend(along.iter().map(of));
+                }
+                site += 1;
+            }
+        }
+    }
+    let values = water.values.iter().map(|value| scale * scale * value).collect();
+    AddedMass::new(water.nodes, water.pattern.clone(), values, flux)
+}
