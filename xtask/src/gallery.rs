@@ -18,7 +18,7 @@ pub struct Options {
 }
 
 /// Scenes in the plane, seen straight.
-const PLANE: [&str; 11] = [
+const PLANE: [&str; 13] = [
     "baffle",
     "crack-branching",
     "dam-break",
@@ -28,8 +28,10 @@ const PLANE: [&str; 11] = [
     "gate-bonds",
     "kalthoff",
     "open-channel",
+    "paddle-on-hinge",
     "shell-in-water",
     "wave-flume",
+    "wedge-entry",
 ];
 
 /// A scene on the page.

@@ -3,10 +3,14 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::problem::Scene;
+
 /// A joint of a rigid body to another one or to the ground, an exact constraint in time: exactly one of its kinds is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointScene {
+    /// Its name, by which columns take its force and moment.
+    pub name: Option<String>,
     /// The rigid body, by its name.
     pub on: String,
     /// The other rigid body; left out, the ground.
@@ -34,6 +38,13 @@ pub struct AlongAxis {
     pub axis: [f64; 3],
 }
 
+impl Scene {
+    /// The number of the joint of this name.
+    pub(crate) fn joint(&self, name: &str) -> Option<usize> {
+        self.joints.iter().position(|joint| joint.name.as_deref() == Some(name))
+    }
+}
+
 impl JointScene {
     /// Keys of its kinds.
     pub const WORDS: [&'static str; 3] = ["ball", "hinge", "slider"];
@@ -42,6 +53,11 @@ impl JointScene {
     pub(crate) fn given(&self) -> Vec<&'static str> {
         let there = [self.ball.is_some(), self.hinge.is_some(), self.slider.is_some()];
         Self::WORDS.into_iter().zip(there).filter_map(|(word, there)| there.then_some(word)).collect()
+    }
+
+    /// Whether it is on a body or joins it to another one.
+    pub(crate) fn is_of(&self, body: &str) -> bool {
+        self.on == body || self.to.as_deref() == Some(body)
     }
 
     /// Its axis, if it has one.

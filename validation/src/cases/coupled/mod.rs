@@ -8,6 +8,7 @@ mod floating_box;
 mod gate;
 mod gate_alone;
 pub mod measure;
+mod paddle_on_hinge;
 mod plate;
 mod ring;
 mod scenes;
@@ -17,6 +18,7 @@ mod square;
 mod turek_hron;
 mod wave_flume;
 mod wedge;
+mod wedge_entry;
 
 use super::finer;
 use crate::Case;
@@ -38,6 +40,8 @@ pub fn all() -> Vec<Case> {
         source_settings::case(),
         sprung_floor::case(),
         floating_box::case(),
+        paddle_on_hinge::case(),
+        wedge_entry::case(),
         wave_flume::case(),
         finer::leaning_wall(measure::SHELL),
     ]
