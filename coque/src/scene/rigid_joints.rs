@@ -3,8 +3,6 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::problem::Scene;
-
 /// A joint of a rigid body to another one or to the ground, an exact constraint in time: exactly one of its kinds is given.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -36,13 +34,6 @@ pub struct BallJoint {}
 pub struct AlongAxis {
     /// Axis at rest; its length does not matter.
     pub axis: [f64; 3],
-}
-
-impl Scene {
-    /// The number of the joint of this name.
-    pub(crate) fn joint(&self, name: &str) -> Option<usize> {
-        self.joints.iter().position(|joint| joint.name.as_deref() == Some(name))
-    }
 }
 
 impl JointScene {
