@@ -23,7 +23,7 @@ pub struct FloatingBox {
 }
 
 /// The order of the errors.
-const ORDER: f64 = 4.0 / 3.0;
+pub(crate) const ORDER: f64 = 4.0 / 3.0;
 
 /// Half of the tank in cells.
 struct Grid {
@@ -165,14 +165,14 @@ pub fn crossings(rows: &[[f64; 2]]) -> Vec<f64> {
 }
 
 /// A symmetric matrix by the rows of its lower band, in which its Cholesky factor takes its place.
-struct Banded {
+pub(crate) struct Banded {
     size: usize,
     width: usize,
     rows: Vec<f64>,
 }
 
 impl Banded {
-    fn new(size: usize, width: usize) -> Self {
+    pub(crate) fn new(size: usize, width: usize) -> Self {
         Self { size, width, rows: vec![0.0; size * (width + 1)] }
     }
 
@@ -181,12 +181,12 @@ impl Banded {
         i * (self.width + 1) + j + self.width - i
     }
 
-    fn add(&mut self, i: usize, j: usize, value: f64) {
+    pub(crate) fn add(&mut self, i: usize, j: usize, value: f64) {
         let at = self.at(i.max(j), i.min(j));
         self.rows[at] += value;
     }
 
-    fn factor(&mut self) {
+    pub(crate) fn factor(&mut self) {
         for i in 0..self.size {
             let first = i.saturating_sub(self.width);
             for j in first..=i {
@@ -199,7 +199,7 @@ impl Banded {
         }
     }
 
-    fn solve(&self, x: &mut [f64]) {
+    pub(crate) fn solve(&self, x: &mut [f64]) {
         for i in 0..self.size {
             let done: f64 = (i.saturating_sub(self.width)..i).map(|k| self.rows[self.at(i, k)] * x[k]).sum();
             x[i] = (x[i] - done) / self.rows[self.at(i, i)];

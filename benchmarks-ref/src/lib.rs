@@ -17,6 +17,8 @@
 //! - [`fluid_structure`]: a gate, plates, a bar, a wedge, in experiments and published simulations;
 //! - [`fluid_structure_forms`]: strips and rings, dry and in a fluid, in closed form;
 //! - [`floating_box`]: a box that swings in the water of a tank, by linear potential flow;
+//! - [`hinged_box`]: a box under water that swings about a hinge, by potential flow;
+//! - [`wedge_entry`]: a wedge that enters water at constant speed, by similarity flow;
 //! - [`fe_shell`]: an independent implicit finite-element shell;
 //! - [`fe_solid`]: bricks of twenty nodes.
 //!
@@ -116,6 +118,8 @@
 //! | cantilevers that vibrate are those at rest, and those of Euler and Bernoulli; their end lags | `slow_loads_are_those_at_rest`, `slender_beams_are_those_of_euler_and_bernoulli`, `the_end_lags_behind_the_force` (src/shaken_beam.rs) |
 //! | a plate with a bar along its middle buckles a little below what two terms of a series say | `two_terms_of_a_series_lie_a_little_above`, `a_plate_without_a_bar_is_that_of_bryan` (src/stiffened_plate.rs) |
 //! | plates that shear are those of the tables where they are thin, and add the deflection of shear | `a_thin_plate_is_that_of_the_tables`, `shear_adds_its_own_deflection` (src/sheared_plate.rs) |
+//! | a box on a hinge: added mass of a square, order of its corners | `on_a_long_arm_it_has_the_added_mass_of_a_square`, `it_converges_with_the_order_of_the_corner` (src/hinged_box.rs) |
+//! | a wedge that enters water: its surface closes and no water is lost; Wagner's force of low ones | `the_surface_closes_and_no_water_is_lost`, `low_wedges_go_to_wagners_force` (src/wedge_entry.rs) |
 //! | a floating box: half of the added mass of a square, order of its corners, energy | `a_fast_box_has_half_of_the_added_mass_of_a_square`, `times_converge_with_the_order_of_the_corner`, `energy_is_kept` (src/floating_box.rs) |
 //! | an added mass is the energy of its fluid | `the_added_mass_is_the_energy_of_the_fluid` |
 //! | plates buckle and bend by their closed forms | `the_plate_buckles_by_its_closed_forms`, `thin_square_plates_are_those_of_the_tables` |
@@ -137,6 +141,7 @@ pub mod floating_box;
 pub mod fluid_structure;
 pub mod fluid_structure_forms;
 pub mod fluids;
+pub mod hinged_box;
 pub mod impact;
 pub mod kirsch;
 pub mod on_flats;
@@ -148,6 +153,7 @@ pub mod stiffened_plate;
 pub mod touching;
 pub mod vibration;
 pub mod waves;
+pub mod wedge_entry;
 
 mod elliptic;
 mod error;

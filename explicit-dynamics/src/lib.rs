@@ -199,4 +199,4 @@ pub use several::{Interaction, Interactions, Joinable, Places, Several};
 pub use stable_step::{LANCZOS_STEPS, Spectrum, StableStep, lanczos_step, largest_eigenvalue};
 pub use step::{Decay, Instant, Step, Work};
 pub use transient::Transient;
-pub use two_clocks::{Counts, Order, TwoClocks};
+pub use two_clocks::{Bracing, Counts, Order, TwoClocks};

@@ -134,6 +134,10 @@ impl Constraint {
 pub struct Joints {
     /// Constraints with the numbers of their bodies, the ground none.
     constraints: Vec<([Option<usize>; 2], Constraint)>,
+    /// The joint of each, by its number.
+    joint_of: Vec<usize>,
+    /// What each joint exerts on the body on which it is, about the origin.
+    of_joints: Vec<Wrench>,
     /// What they exert on each body in this step, and its velocity and moment of momentum before it.
     exerted: Vec<(Wrench, [Vec3; 2])>,
     /// By how much the joints were missed at the end of the last step, over their size.
@@ -143,8 +147,8 @@ pub struct Joints {
 impl Joints {
     /// Joints of bodies as they stand at rest; a number beyond them has no constraint.
     pub fn new(bodies: &[&RigidBody], joints: &[Joint]) -> Self {
-        let mut all = Self::default();
-        for Joint { on, to, at, kind } in joints {
+        let mut all = Self { of_joints: vec![Wrench::default(); joints.len()], ..Self::default() };
+        for (number, Joint { on, to, at, kind }) in joints.iter().enumerate() {
             let frame = |body: usize| bodies.get(body).map(|body| Frame::of(&body.motion));
             let (Some(second), Some(first)) = (frame(*on), to.map_or(Some(Frame::ground()), frame)) else {
                 continue;
@@ -152,7 +156,10 @@ impl Joints {
             let frames = [&first, &second];
             let arms = frames.map(|frame| frame.own(&(at - frame.pole)));
             let square = |e: &Vec3, f: &Vec3| Constraint::Square { axes: [first.own(e), second.own(f)] };
-            let mut put = |constraint| all.constraints.push(([*to, Some(*on)], constraint));
+            let mut put = |constraint| {
+                all.constraints.push(([*to, Some(*on)], constraint));
+                all.joint_of.push(number);
+            };
             match kind {
                 JointKind::Ball | JointKind::Hinge(_) => {
                     for along in [Vec3::x(), Vec3::y(), Vec3::z()] {
@@ -236,6 +243,7 @@ impl Joints {
             impulses -= &flexible * missed / span;
         }
         self.missed = last;
+        self.take_note(&rows, &found, &frames, step.kick);
         let wrenches = self.on_bodies(&rows, &found, frames.len());
         self.exerted.clear();
         for (body, impulse) in bodies.iter_mut().zip(wrenches) {
@@ -257,6 +265,23 @@ impl Joints {
     /// Force \[F\] on a body and its moment about the centre \[F L\] in the last step.
     pub fn exerted(&self, body: usize) -> [Vec3; 2] {
         self.exerted.get(body).map_or([Vec3::zeros(); 2], |(force, _)| [force.force, force.moment])
+    }
+
+    /// Force \[F\] of a joint on the body on which it is, in the last step, and its moment about the origin \[F L\]; the body that it joins to that one feels the
+    /// opposite. Of supports and constraints that say the same, as hinges of a plane chain do, each bears the least that serves.
+    pub fn of_joint(&self, joint: usize) -> [Vec3; 2] {
+        self.of_joints.get(joint).map_or([Vec3::zeros(); 2], |own| [own.force, own.moment])
+    }
+
+    /// Keeps what each joint exerts, of impulses along the constraints in a kick of this span.
+    fn take_note(&mut self, rows: &[[Wrench; 2]], impulses: &DVector<f64>, frames: &[Frame], span: f64) {
+        self.of_joints.fill(Wrench::default());
+        for (i, (of, _)) in self.constraints.iter().enumerate() {
+            let (Some(body), joint) = (of[1], self.joint_of[i]) else { continue };
+            let own = rows[i][1].scaled(impulses[i] / span);
+            let about = Wrench { moment: own.moment + frames[body].pole.cross(&own.force), ..own };
+            self.of_joints[joint] = self.of_joints[joint] + about;
+        }
     }
 
     /// By how much joints were missed at the end of the last step, over their size, beyond what the solution leaves: supports say otherwise. None where they hold.

@@ -18,7 +18,7 @@ pub struct Options {
 }
 
 /// Scenes in the plane, seen straight.
-const PLANE: [&str; 12] = [
+const PLANE: [&str; 14] = [
     "baffle",
     "channel-with-inflow",
     "crack-branching",
@@ -29,8 +29,10 @@ const PLANE: [&str; 12] = [
     "gate-bonds",
     "kalthoff",
     "open-channel",
+    "paddle-on-hinge",
     "shell-in-water",
     "wave-flume",
+    "wedge-entry",
 ];
 
 /// A scene on the page.

@@ -51,6 +51,11 @@ pub trait Body: Send {
         false
     }
 
+    /// Force \[F\] on one of its bodies and moment about the origin \[F L\] that a joint exerts in the last step, by its number in the scene, or that all do.
+    fn joints_exert(&self, _body: usize, _joint: Option<usize>) -> [Vec3; 2] {
+        [Vec3::zeros(); 2]
+    }
+
     /// Works out what its fields show, for whoever writes them.
     fn fields<'a>(&'a self, shown: &FieldRequest<'a>) -> Box<dyn FieldSource + 'a>;
 

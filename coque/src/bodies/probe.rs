@@ -34,6 +34,8 @@ pub struct Probe {
     pub factor: f64,
     /// Unit in which the column is written, to which the factor converts; none where it is that of its quantity.
     pub unit: Option<String>,
+    /// Which joint exerts a force or a moment, by its number; of all where none is named.
+    pub(crate) joint: Option<usize>,
     /// Where strains are sampled, of what follows from them.
     pub(crate) sampled: Option<Sampled>,
     /// For a rotation: last director and angle so far \[rad\] of each particle.
@@ -45,8 +47,21 @@ impl Probe {
     pub fn new(name: &str, of: Measured, particles: Vec<u32>, direction: Vec3) -> Self {
         let (take, quantity, about) = (Take::usual(of), of.quantity(), Vec3::zeros());
         let name = name.into();
-        let (unit, sampled, turns) = (None, None, Vec::new());
-        Self { name, of, particles, direction, about, quantity, take, factor: 1.0, unit, sampled, turns }
+        let (unit, joint, sampled, turns) = (None, None, None, Vec::new());
+        Self {
+            name,
+            of,
+            particles,
+            direction,
+            about,
+            quantity,
+            take,
+            factor: 1.0,
+            unit,
+            joint,
+            sampled,
+            turns,
+        }
     }
 
     /// A column of a scene.
@@ -64,6 +79,7 @@ impl Probe {
             unit: unit.map(|unit| unit.symbol),
             about: column.about.map_or_else(Vec3::zeros, Vec3::from),
             quantity: scene.quantity(column.of),
+            joint: column.joint.as_ref().and_then(|name| scene.joint(name)),
             ..Self::new(&column.name, column.of, particles, direction)
         }
     }
@@ -146,6 +162,9 @@ impl Probe {
         if matches!(self.of, Measured::PlasticStrain | Measured::Thickness | Measured::PlasticWork) {
             return self.yielding(body);
         }
+        if self.of.is_of_joints() {
+            return self.joints_exert(body);
+        }
         let followed =
             self.of == Measured::Rotation && !self.particles.iter().all(|&a| body.counts_turns(a as usize));
         if followed {
@@ -193,6 +212,16 @@ impl Probe {
             }
         };
         stresses.iter().map(one).collect()
+    }
+
+    /// What joints exert on the body of its one particle.
+    fn joints_exert(&self, body: &dyn Body) -> Vec<f64> {
+        let one = |&a: &u32| {
+            let [force, moment] = body.joints_exert(body.place(a as usize).0, self.joint);
+            let of = if self.of == Measured::JointForce { force } else { moment - self.about.cross(&force) };
+            of.dot(&self.direction)
+        };
+        self.particles.iter().map(one).collect()
     }
 
     /// What the particles feel of contact, all of one body.

@@ -1,13 +1,17 @@
 //! Bodies that nothing keeps apart: whether they have come nearer to each other than their faces allow.
 
 use contact::{Bystander, TooNear};
+use sph_core::Vec3;
 
 use super::body::{Body, Configuration};
 use super::outline::Outline;
-use crate::scene::Scene;
 use crate::scene::glued::glued;
 use crate::scene::joints::joints;
 use crate::scene::linked::links;
+use crate::scene::{JointScene, Scene};
+
+/// Way over the greatest coordinate beyond which a body is near nothing.
+const FAR: f64 = 10.0;
 
 /// Pairs of bodies of a scene between which it names no contact, and shells that do not touch themselves.
 #[derive(Debug)]
@@ -47,10 +51,27 @@ impl Unseen {
                 || i != j && links.iter().any(|link| of.iter().all(|body| link.is_of(body)))
                 || i != j && glue.iter().any(|glue| of.iter().all(|body| glue.is_of(body)))
         };
+        // Bodies on a joint that are drawn through each other, as two bars about their pin, are meant to pass.
+        let rest = body.configuration().rest;
+        let crossed = |i: usize, j: usize| {
+            let shown = |number: usize| (&outlines[number], &rest[outlines[number].particles.clone()]);
+            let [(one, here), (other, there)] = [shown(i), shown(j)];
+            // As if the other came from far away: all that is near counts.
+            let size = here.iter().chain(there).fold(0.0_f64, |most, x| most.max(x.amax()));
+            let away: Vec<Vec3> = there.iter().map(|x| x.add_scalar(FAR * size)).collect();
+            let one = Bystander { cells: &one.cells, rest: here, now: here, half: one.half };
+            let other = Bystander { cells: &other.cells, rest: &away, now: there, half: other.half };
+            one.in_each_other(&other, false).is_some()
+        };
+        let pinned = |i: usize, j: usize| {
+            let of = [i, j].map(|number| name(number).unwrap_or_default());
+            let on = |joint: &JointScene| of.iter().all(|body| joint.is_of(body));
+            i != j && scene.joints.iter().any(on) && crossed(i, j)
+        };
         let mut pairs = Vec::new();
         for i in 0..outlines.len() {
             for j in i..outlines.len() {
-                if (i != j || outlines[i].sheet) && !touch(i, j) {
+                if (i != j || outlines[i].sheet) && !touch(i, j) && !pinned(i, j) {
                     pairs.push(Pair { of: [i, j], joined: joined(i, j) });
                 }
             }

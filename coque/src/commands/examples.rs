@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 113] = [
+const EXAMPLES: [Example; 117] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -68,6 +68,7 @@ const EXAMPLES: [Example; 113] = [
     Example::new("flow-between-plates", 0.3, include_str!("../../../scenes/flow-between-plates.toml")),
     Example::new("open-channel", 35.0, include_str!("../../../scenes/open-channel.toml")),
     Example::new("floating-box", 2.0, include_str!("../../../scenes/floating-box.toml")),
+    Example::new("wedge-entry", 15.0, include_str!("../../../scenes/meshes/wedge-entry.toml")),
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
     Example::new("framed-plate", 0.2, include_str!("../../../scenes/framed-plate.toml")),
@@ -92,6 +93,7 @@ const EXAMPLES: [Example; 113] = [
     Example::new("mass-on-column", 0.1, include_str!("../../../scenes/mass-on-column.toml")),
     Example::new("open-cylinder", 3.0, include_str!("../../../scenes/open-cylinder.toml")),
     Example::new("open-hole", 0.1, include_str!("../../../scenes/meshes/open-hole.toml")),
+    Example::new("paddle-on-hinge", 1.0, include_str!("../../../scenes/paddle-on-hinge.toml")),
     Example::new("panel", 14.0, include_str!("../../../scenes/panel.toml")),
     Example::new("panel-laminated", 22.0, include_str!("../../../scenes/panel-laminated.toml")),
     Example::new("panel-solid", 39.0, include_str!("../../../scenes/panel-solid.toml")),
@@ -166,7 +168,7 @@ const EXAMPLES: [Example; 113] = [
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.
-const FILES: [(&str, &str, &str); 16] = [
+const FILES: [(&str, &str, &str); 17] = [
     (
         "balloon-inflating",
         "balloon-inflating.inp",
@@ -197,6 +199,7 @@ const FILES: [(&str, &str, &str); 16] = [
         "stiffened-panel-gmsh.msh",
         include_str!("../../../scenes/meshes/stiffened-panel-gmsh.msh"),
     ),
+    ("wedge-entry", "wedge-entry.obj", include_str!("../../../scenes/meshes/wedge-entry.obj")),
     ("t-frame", "t-frame.msh", include_str!("../../../scenes/meshes/t-frame.msh")),
     ("tied-rib", "tied-rib.msh", include_str!("../../../scenes/meshes/tied-rib.msh")),
 ];

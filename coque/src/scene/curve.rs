@@ -27,6 +27,8 @@ pub struct Probe {
     pub direction: Option<[f64; 3]>,
     /// Point about which a moment is taken \[L\]; left out, the origin.
     pub about: Option<[f64; 3]>,
+    /// Name of the joint whose force or moment is taken; left out, that of all joints of the body.
+    pub joint: Option<String>,
     /// Face of a shell at which a stress is taken, or the middle of its thickness; of a stress of a ply, of that ply. Left out, of principal stresses,
     /// von Mises' and Tresca's the worse of both faces.
     pub face: Option<ShellFace>,
@@ -82,6 +84,8 @@ impl Take {
             | Measured::ContactMoment
             | Measured::GlueForce
             | Measured::LinkForce
+            | Measured::JointForce
+            | Measured::JointMoment
             | Measured::TouchingArea
             | Measured::FractureEnergy
             | Measured::FrictionLoss
@@ -134,6 +138,11 @@ pub enum Measured {
     GlueForce,
     /// Component of the force that links exert on the body \[F\].
     LinkForce,
+    /// Component of the force that a joint, or all of its joints, exert on a rigid body \[F\].
+    JointForce,
+    /// Component of the moment about a point of what a joint, or all of its joints, exert on a rigid body \[F L\]: about the place of a joint that of its couple
+    /// alone.
+    JointMoment,
     /// Component of the way from where glue holds a particle to where it is \[L\]: of particles of sets that are glued.
     GlueGap,
     /// Energy that friction has taken of a body \[F L\]: on tools, and one half of what it took where it rubs on another or, a shell, on itself.
@@ -238,6 +247,8 @@ impl Measured {
             Self::TouchingArea => "touching-area",
             Self::GlueForce => "glue-force",
             Self::LinkForce => "link-force",
+            Self::JointForce => "joint-force",
+            Self::JointMoment => "joint-moment",
             Self::GlueGap => "glue-gap",
             Self::FrictionLoss => "friction-loss",
             Self::PlasticStrain => "plastic-strain",

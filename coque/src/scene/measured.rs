@@ -18,6 +18,7 @@ impl Measured {
             | Self::ContactForce
             | Self::GlueForce
             | Self::LinkForce
+            | Self::JointForce
             | Self::Force
             | Self::BarForce
             | Self::SectionForce => Quantity::Force,
@@ -36,6 +37,7 @@ impl Measured {
             | Self::FrictionLoss
             | Self::PlasticWork
             | Self::ContactMoment
+            | Self::JointMoment
             | Self::Moment
             | Self::ReactionMoment
             | Self::SectionMoment
@@ -105,6 +107,11 @@ impl Measured {
     /// Whether it follows from the stresses of plies.
     pub fn is_of_plies(self) -> bool {
         matches!(self, Self::PlyStress | Self::ReserveFactor | Self::FailureIndex)
+    }
+
+    /// Whether joints exert it.
+    pub fn is_of_joints(self) -> bool {
+        matches!(self, Self::JointForce | Self::JointMoment)
     }
 
     /// Whether it goes through a cut.

@@ -155,6 +155,11 @@ impl BodyScene {
 }
 
 impl Scene {
+    /// The number of the joint of this name.
+    pub(crate) fn joint(&self, name: &str) -> Option<usize> {
+        self.joints.iter().position(|joint| joint.name.as_deref() == Some(name))
+    }
+
     /// The shell, if the one body is one; of several the first by name.
     pub fn as_shell(&self) -> Option<&ShellScene> {
         if let Some(BodyScene::Shell(shell)) = self.bodies.values().next() { Some(shell) } else { None }

@@ -7,6 +7,8 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointScene {
+    /// Its name, by which columns take its force and moment.
+    pub name: Option<String>,
     /// The rigid body, by its name.
     pub on: String,
     /// The other rigid body; left out, the ground.
@@ -42,6 +44,11 @@ impl JointScene {
     pub(crate) fn given(&self) -> Vec<&'static str> {
         let there = [self.ball.is_some(), self.hinge.is_some(), self.slider.is_some()];
         Self::WORDS.into_iter().zip(there).filter_map(|(word, there)| there.then_some(word)).collect()
+    }
+
+    /// Whether it is on a body or joins it to another one.
+    pub(crate) fn is_of(&self, body: &str) -> bool {
+        self.on == body || self.to.as_deref() == Some(body)
     }
 
     /// Its axis, if it has one.

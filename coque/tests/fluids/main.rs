@@ -11,6 +11,7 @@ mod floating;
 mod floating_shapes;
 mod fluid;
 mod fluid_scenes;
+mod jointed;
 mod moored;
 mod openings;
 mod periodic;

@@ -12,7 +12,7 @@ use crate::two_clocks::{Coupled, Course, Order, OwnClock, TwoClocks};
 /// Part of the way that a boundary point may go in one step which the speed of the last step is allowed to ask for.
 const ADVANCE: f64 = 0.25;
 
-impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
+impl<F: BoundaryDriven, S: Wetted + ?Sized + 'static> Dynamics for TwoClocks<F, S> {
     fn evaluate(&mut self, at: Instant) -> f64 {
         let stored = self.fluid.evaluate(at);
         self.hand_loads();
@@ -29,11 +29,16 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
         self.interactions.before(&self.bodies);
         for group in self.groups() {
             let own = self.course(&group, step).step(self.structures[group.start].clock.last);
+            let span = if shown { 0.0 } else { own.kick };
+            let braced = Step { kick: span, ..own };
+            self.brace(&braced);
             for k in group {
                 work = add(work, self.structures[k].kick(&mut *self.bodies[k], &own, shown));
             }
-            let span = if shown { 0.0 } else { own.kick };
             self.interactions.after(&self.bodies, span, &mut work);
+            if let Some(bracing) = &self.bracing {
+                bracing.settle(&mut self.bodies, &braced, &mut work);
+            }
         }
         add(work, std::mem::take(&mut self.between))
     }
@@ -89,6 +94,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
 
     fn within_bounds(&self, bounds: Bounds) -> Result<(), OutOfBounds> {
         self.fluid.within_bounds(bounds)?;
+        self.bracing.as_ref().map_or(Ok(()), |bracing| bracing.within_bounds())?;
         if bounds == Bounds::Configuration {
             self.interactions.within_bounds()?;
         }
@@ -118,11 +124,16 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> Dynamics for TwoClocks<F, S> {
     }
 }
 
-impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
+impl<F: BoundaryDriven, S: Wetted + ?Sized + 'static> TwoClocks<F, S> {
+    /// Whether no structure does anything to another.
+    fn are_free(&self) -> bool {
+        self.interactions.is_empty() && self.bracing.is_none()
+    }
+
     /// Structures that take the same steps: each its own, or all where some do anything to each other.
     fn groups(&self) -> impl Iterator<Item = Range<usize>> + use<F, S> {
         let count = self.structures.len();
-        let size = if self.interactions.is_empty() { 1 } else { count.max(1) };
+        let size = if self.are_free() { 1 } else { count.max(1) };
         (0..count).step_by(size).map(move |first| first..first + size)
     }
 
@@ -191,23 +202,36 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
 
     /// One step of a group, the first of one of the fluid or not; its kick may be done.
     fn one_step(&mut self, group: &Range<usize>, step: &Step, first: bool, kicked: bool) {
-        if self.interactions.is_empty() && !kicked {
+        if self.are_free() && !kicked {
             return group.clone().for_each(|k| self.structures[k].advance(&mut *self.bodies[k], step, first));
         }
         if !kicked {
             // The work of what they do to each other takes the velocities behind the kick, which a drift may carry on.
             self.interactions.act(&mut self.bodies, step.from);
             self.interactions.before(&self.bodies);
+            self.bodies[group.clone()].iter_mut().for_each(|body| {
+                body.evaluate(step.from);
+            });
+            self.brace(step);
             for k in group.clone() {
-                self.bodies[k].evaluate(step.from);
                 self.structures[k].kick_off(&mut *self.bodies[k], step, first);
             }
             self.interactions.after(&self.bodies, step.kick, &mut self.between);
+            if let Some(bracing) = &self.bracing {
+                bracing.settle(&mut self.bodies, step, &mut self.between);
+            }
         }
         for k in group.clone() {
             self.structures[k].drift(&mut *self.bodies[k], step);
         }
         self.interactions.stepped();
+    }
+
+    /// Adds what constraints exert to the forces of a kick.
+    fn brace(&mut self, step: &Step) {
+        if let Some(bracing) = &mut self.bracing {
+            bracing.brace(&mut self.bodies, step);
+        }
     }
 
     /// The forces that the fluid has just found, with the velocities with which it saw the points.

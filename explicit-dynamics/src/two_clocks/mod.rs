@@ -1,8 +1,11 @@
 //! A fluid and the structures in it, each at a clock of its own; what changes beside them, as plain numbers.
 
+mod bracing;
 mod coupled;
 mod course;
 mod march;
+
+pub use bracing::Bracing;
 
 use coupled::{Coupled, OwnClock};
 use course::Course;
@@ -16,12 +19,13 @@ use crate::step::Work;
 /// A fluid and the structures in it, marched as one system: a step of the fluid is one or more steps of each structure.
 ///
 /// Numbers of particles run through the fluid, then through the structures in their order. Structures that do something to each other
-/// ([`TwoClocks::with_interactions`]) take the same steps, all of them.
+/// ([`TwoClocks::with_interactions`], [`TwoClocks::with_bracing`]) take the same steps, all of them.
 pub struct TwoClocks<F, S: ?Sized> {
     fluid: F,
     structures: Vec<Coupled>,
     bodies: Vec<Box<S>>,
     interactions: Interactions,
+    bracing: Option<Box<dyn Bracing<S>>>,
     /// What structures did to each other since it was last counted \[F L\].
     between: Work,
     /// Fraction of the stable steps that is used.
@@ -78,6 +82,7 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
             structures,
             bodies,
             interactions: Interactions::default(),
+            bracing: None,
             between: Work::default(),
             safety: 1.0,
             slowed: Shortened::default(),
@@ -93,6 +98,18 @@ impl<F: BoundaryDriven, S: Wetted + ?Sized> TwoClocks<F, S> {
     pub fn with_interactions(mut self, interactions: Vec<Box<dyn Interaction>>) -> Self {
         self.interactions = Interactions::new(interactions);
         self
+    }
+
+    /// Holds structures together by exact constraints.
+    #[must_use]
+    pub fn with_bracing(mut self, bracing: Option<Box<dyn Bracing<S>>>) -> Self {
+        self.bracing = bracing;
+        self
+    }
+
+    /// The constraints between structures.
+    pub fn bracing(&self) -> Option<&dyn Bracing<S>> {
+        self.bracing.as_deref()
     }
 
     /// What structures do to each other.

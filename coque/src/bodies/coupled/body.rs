@@ -1,5 +1,6 @@
 //! A fluid, its walls and the structures in it as one body that is marched.
 
+use std::any::Any;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -17,15 +18,25 @@ use crate::bodies::body::{Body, Configuration, Diagnostics, DynamicBody, Mismatc
 use crate::bodies::fluid::escaped::{Sides, lost};
 use crate::bodies::fluid::figures::Speeds;
 use crate::bodies::fluid::{fields, figures};
-use crate::bodies::together::{Parts, kept_between, take_up_between};
+use crate::bodies::together::{JointedBodies, MayBeRigid, Parts, kept_between, take_up_between};
 use crate::bodies::{ContactNow, FieldRequest, FieldSource, NotShared, Outline, With, Yielding};
 use crate::ranks::Ranks;
 use crate::scene::Measured;
 
 /// A structure that a fluid wets, as the application asks of it.
-pub(in crate::bodies) trait Structure: Body + Wetted {}
+pub(in crate::bodies) trait Structure: Body + Wetted + Any {}
 
-impl<S: Body + Wetted> Structure for S {}
+impl<S: Body + Wetted + Any> Structure for S {}
+
+impl MayBeRigid for dyn Structure {
+    fn any(&self) -> &dyn Any {
+        self
+    }
+
+    fn any_mut(&mut self) -> &mut dyn Any {
+        self
+    }
+}
 
 /// A fluid and structures on their clocks.
 pub(super) type Clocks = TwoClocks<Fluid, dyn Structure>;
@@ -84,6 +95,12 @@ impl Body for Coupled {
             present.extend(fluid.wall_positions(piece).iter().map(|x| fluid.within(*x)));
         }
         Configuration { rest: &self.rest, present, cells: &self.cells }
+    }
+
+    fn joints_exert(&self, body: usize, joint: Option<usize>) -> [Vec3; 2] {
+        let joints = self.clocks.bracing().and_then(|own| (own as &dyn Any).downcast_ref::<JointedBodies>());
+        let name = self.layout.names.get(body);
+        joints.zip(name).map_or([Vec3::zeros(); 2], |(joints, name)| joints.exerted(name, joint))
     }
 
     fn counts_turns(&self, number: usize) -> bool {

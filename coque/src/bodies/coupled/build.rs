@@ -20,7 +20,8 @@ use crate::bodies::fluid::{describe, parts, places};
 use crate::bodies::memory::check_memory;
 use crate::bodies::refusal::{body_error, model_error};
 use crate::bodies::together::{
-    self, AllLinks, BetweenBodies, OnTool, SetsOfBodies, Side, TouchingBodies, contacts, on_tools,
+    self, AllLinks, BetweenBodies, JointedBodies, OnTool, SetsOfBodies, Side, TouchingBodies, contacts,
+    on_tools,
 };
 use crate::bodies::{BuiltBody, Description, Memory, Model, Ready};
 use crate::scene::body_in_scene::{BodyInScene, gravity_on};
@@ -99,6 +100,7 @@ pub(in crate::bodies) fn coupled_model(
     description.modelled.extend(on_tools.iter().map(OnTool::line));
     description.modelled.extend(joints.as_ref().map(BetweenBodies::line));
     description.modelled.extend(links.lines());
+    description.modelled.extend(JointedBodies::line(scene));
     let memory = together(memory, &made);
     let identity = identity(&made);
     let mut structures: Vec<Box<dyn Structure>> = Vec::new();
@@ -112,7 +114,8 @@ pub(in crate::bodies) fn coupled_model(
     let on_tools = on_tools.into_iter().map(|own| Box::new(own) as Box<dyn Interaction>);
     let joints = joints.map(|own| Box::new(own) as Box<dyn Interaction>);
     let all = contacts.chain(on_tools).chain(joints).chain(links.marched());
-    let mut clocks = TwoClocks::new(fluid, structures).with_interactions(all.collect());
+    let bracing = JointedBodies::find(scene, &structures).map(|own| Box::new(own) as _);
+    let mut clocks = TwoClocks::new(fluid, structures).with_interactions(all.collect()).with_bracing(bracing);
     clocks.order = coupling.order;
     clocks.impedance = coupling.impedance;
     let CoupledParts { layout, rest, cells } = built;

@@ -51,6 +51,14 @@ impl<S: Parts> Body for Together<S> {
         }
     }
 
+    fn joints_exert(&self, body: usize, joint: Option<usize>) -> [Vec3; 2] {
+        let name = self.layout.names.get(body);
+        self.joints
+            .as_ref()
+            .zip(name)
+            .map_or([Vec3::zeros(); 2], |(joints, name)| joints.exerted(name, joint))
+    }
+
     fn counts_turns(&self, particle: usize) -> bool {
         let (body, own) = self.layout.place(particle);
         self.system.each().get(body).is_some_and(|part| part.counts_turns(own))

@@ -149,7 +149,7 @@ pub(in crate::bodies) fn together_in(
             let on_tools = on_tools.into_iter().map(|own| Box::new(own) as _);
             let glue = glue.into_iter().map(|own| Box::new(own) as _);
             let all = springs.into_iter().chain(touching).chain(on_tools).chain(glue).chain(links.marched());
-            let jointed = JointedBodies::find(scene, &mut marched);
+            let jointed = JointedBodies::find(scene, &marched);
             let system = Marched::new(marched, all.collect());
             Ready::Dynamic(Box::new(Together { system, layout, joints: jointed }))
         }

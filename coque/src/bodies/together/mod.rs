@@ -33,6 +33,7 @@ mod touched;
 mod wet;
 
 pub(super) use contact::{Side, TouchingBodies};
+pub(super) use jointed::{JointedBodies, MayBeRigid};
 pub(super) use joints::{BetweenBodies, SetsOfBodies};
 pub(super) use kept::{kept_between, take_up_between};
 pub(super) use layout::Layout;

@@ -18,6 +18,7 @@ use crate::scene::problem::BodyScene;
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::solid::SolidScene;
+use crate::scene::source::suggest;
 use crate::scene::tools::ToolScene;
 use crate::scene::units::Length;
 
@@ -63,6 +64,7 @@ fn check_measured(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
         let bound = format!("no velocity in {}", scene.analysis.kind().name);
         return refuse("of", "\"velocity\"", &bound, "use [analysis.explicit.transient]");
     }
+    check_joint(scene, probe)?;
     check_enclosed(scene, probe)?;
     check_stress(scene, probe)?;
     check_cut(scene, probe)?;
@@ -72,6 +74,32 @@ fn check_measured(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
 /// Whether particles have a velocity in it.
 fn has_velocity(analysis: &Analysis) -> bool {
     analysis.kind().passes_time || analysis.swings()
+}
+
+/// A joint is named of what joints exert, and is one of the body.
+fn check_joint(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
+    if probe.of.is_of_joints() {
+        only_on(scene, probe, "joints hold all of a rigid body", &["all"])?;
+    }
+    let Some(name) = &probe.joint else { return Ok(()) };
+    let s = scene.scope();
+    let (path, value) = (probe.at("joint"), format!("\"{name}\""));
+    if !probe.of.is_of_joints() {
+        let bound = format!("none: {} is none of a joint", probe.of.word());
+        let repair = "remove `joint`, or measure joint-force or joint-moment";
+        return Err(SceneError::Choice(s.fault(&path, &value, &bound, repair)));
+    }
+    let own = scene.scene.joints.iter().filter(|joint| joint.is_of(scene.name));
+    let known: Vec<&str> = own.filter_map(|joint| joint.name.as_deref()).collect();
+    if known.contains(&name.as_str()) {
+        return Ok(());
+    }
+    let repair = match known[..] {
+        [] => "give that joint a `name` in [[joints]]".into(),
+        _ => suggest(name, &known),
+    };
+    let bound = format!("which is the name of no joint of `{}`", scene.name);
+    Err(SceneError::Set(s.fault(&path, &value, &bound, &repair)))
 }
 
 /// What is enclosed is measured on the set of its load.
@@ -97,8 +125,13 @@ pub(super) fn check_measured_alike(body: &BodyScene, s: &Scope<'_>, probe: &OnSe
         Err(SceneError::Choice(s.fault(&probe.at(key), value, bound, repair)))
     };
     if let Some(about) = &probe.about {
-        let moments =
-            [Measured::Moment, Measured::ReactionMoment, Measured::ContactMoment, Measured::SectionMoment];
+        let moments = [
+            Measured::Moment,
+            Measured::ReactionMoment,
+            Measured::ContactMoment,
+            Measured::JointMoment,
+            Measured::SectionMoment,
+        ];
         if !moments.contains(&probe.of) {
             let bound = format!("none: {word} is about no point");
             return refuse("about", "a point", &bound, "remove `about`, or measure a moment");
@@ -146,6 +179,9 @@ fn check_unit(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict {
 fn measured(scene: &BodyInScene<'_>) -> Vec<Measured> {
     let mut known = measured_alone(scene);
     known.extend(scene.linked.then_some(Measured::LinkForce));
+    if scene.scene.joints.iter().any(|joint| joint.is_of(scene.name)) {
+        known.extend([Measured::JointForce, Measured::JointMoment]);
+    }
     if scene.glued {
         known.push(Measured::GlueForce);
         known.extend(scene.as_rigid().is_none().then_some(Measured::GlueGap));

@@ -5,7 +5,7 @@ use crate::scene::problem::{BodyScene, Scene};
 use crate::scene::source::suggest;
 use crate::scene::{Analysis, Explicit, JointScene};
 
-/// Refuses joints of what is not rigid, of a body with itself, at rest and in a fluid.
+/// Refuses joints of what is not rigid, of a body with itself, at rest, and in a plane fluid those that would leave its plane.
 pub(super) fn check_rigid_joints(scene: &Scene) -> Verdict {
     if scene.joints.is_empty() {
         return Ok(());
@@ -24,10 +24,7 @@ pub(super) fn check_rigid_joints(scene: &Scene) -> Verdict {
             "use [analysis.explicit.transient], or stiff [[links]] or springs at rest",
         );
     }
-    if scene.fluid().is_some() {
-        let repair = "use stiff [[links]], or springs between the bodies";
-        return refuse("joints", "a joint", "none in a fluid", repair);
-    }
+    let plane = scene.fluid().is_some_and(|(_, fluid)| fluid.dimensions() == 2);
     for (i, joint) in scene.joints.iter().enumerate() {
         let at = |key: &str| format!("joints[{i}].{key}");
         let JointScene { on, to, at: place, .. } = joint;
@@ -62,8 +59,30 @@ pub(super) fn check_rigid_joints(scene: &Scene) -> Verdict {
         }
         s.exactly_one(&format!("joints[{i}]"), "kind", &joint.given(), &JointScene::WORDS)?;
         s.sized_all(&at("at"), place)?;
+        let earlier = &scene.joints[..i];
+        if let Some(name) = joint.name.as_ref().filter(|_| earlier.iter().any(|own| own.name == joint.name)) {
+            let repair = "give each joint a name of its own";
+            return refuse(&at("name"), &format!("\"{name}\""), "no name of another joint", repair);
+        }
         if let (Some(axis), Some(word)) = (joint.axis(), joint.given().first()) {
-            s.direction(&at(&format!("{word}.axis")), axis)?;
+            let path = at(&format!("{word}.axis"));
+            s.direction(&path, axis)?;
+            let [x, y, z] = axis;
+            let (in_plane, bound, repair) = match word {
+                &"hinge" => (
+                    x == 0.0 && y == 0.0,
+                    "along z",
+                    "use [0, 0, 1]: a body in a plane fluid turns in the plane",
+                ),
+                _ => (
+                    z == 0.0,
+                    "in the plane of x and y",
+                    "set its third component to zero: a body in a plane fluid stays in the plane",
+                ),
+            };
+            if plane && !in_plane {
+                return Err(s.value(&path, format!("{axis:?}"), bound, repair));
+            }
         }
     }
     Ok(())

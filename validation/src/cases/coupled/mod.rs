@@ -9,6 +9,7 @@ mod gate;
 mod gate_alone;
 mod irregular_waves;
 pub mod measure;
+mod paddle_on_hinge;
 mod plate;
 mod plate_in_water;
 mod ring;
@@ -19,6 +20,7 @@ mod square;
 mod turek_hron;
 mod wave_flume;
 mod wedge;
+mod wedge_entry;
 
 use super::finer;
 use crate::Case;
@@ -41,6 +43,8 @@ pub fn all() -> Vec<Case> {
         sprung_floor::case(),
         plate_in_water::case(),
         floating_box::case(),
+        paddle_on_hinge::case(),
+        wedge_entry::case(),
         wave_flume::case(),
         irregular_waves::case(),
         finer::leaning_wall(measure::SHELL),

@@ -170,7 +170,7 @@ pub fn swing(gate: &Gate) -> Result<Swing, Box<dyn Error>> {
     }
 }
 
-fn marched<S: Wetted>(
+fn marched<S: Wetted + 'static>(
     gate: &Gate,
     mut system: Coupled<S>,
     width: f64,
