@@ -142,8 +142,8 @@ pub use solid::material::{OrthotropicSolid, SolidMaterial};
 pub use sph_core::LineSide;
 pub use sph_shell::{Divergence, WetFaces};
 pub use statics::{
-    ArcLength, Branches, Buckling, Heat, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation,
-    RelaxationDamping, Static, Stop,
+    ArcLength, Branches, Buckling, Heat, HeatInTime, LevelSign, Linear, LinearSolver, Modal, Prebuckling,
+    Relaxation, RelaxationDamping, Static, Stop,
 };
 pub use supports::*;
 pub use through::Through;

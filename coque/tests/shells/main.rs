@@ -19,6 +19,7 @@ mod given;
 mod harmonic;
 mod harmonic_words;
 mod heat;
+mod heat_in_time;
 mod imperfection;
 mod initial_stress;
 mod layered;

@@ -56,7 +56,8 @@ pub(in crate::bodies) fn shell_model(scene: &ShellInScene<'_>, threads: usize) -
 fn conducting_model(scene: &ShellInScene<'_>, threads: usize) -> Result<Model, SceneError> {
     let mut parts = assemble(scene, threads, None)?;
     let conduction = parts.conduction.take().ok_or_else(|| not_a(scene, "shell with [[heat]]"))?;
-    let ready = |shell| Ready::Heat(Box::new(ConductingShell::new(shell, conduction)));
+    let capacities = std::mem::take(&mut parts.capacities);
+    let ready = |shell| Ready::Heat(Box::new(ConductingShell::new(shell, conduction, capacities)));
     Ok(looked_at(scene, parts).map(ready).model(scene.scene, threads))
 }
 
@@ -136,12 +137,13 @@ pub(super) fn assemble(
     let masses = builder.masses(&sets)?;
     let stiffeners = builder.stiffeners(&sets)?;
     let stresses = builder.stresses(&cells)?;
-    let conduction = match scene.scene.heat.is_empty() {
-        true => None,
+    let (conduction, capacities) = match scene.scene.heat.is_empty() {
+        true => (None, Vec::new()),
         false => {
             let imported = imported.as_ref();
             let (flat, cloud, sets, cells) = (&flat, &cloud, &sets, &cells);
-            Some(builder.conduction(Heated { flat, cloud, sets, cells, imported, weights })?)
+            let heated = Heated { flat, cloud, sets, cells, imported, weights };
+            (Some(builder.conduction(heated)?), builder.heat_capacities(heated)?)
         }
     };
     let temperatures = builder.temperatures(&cells, &cloud, conduction.as_ref())?;
@@ -189,7 +191,7 @@ pub(super) fn assemble(
     let surface = imported.map(|imported| imported.provenance());
     let (turn, said) = (builder.turn, sections.said);
     let sets = sets.into_members();
-    Ok(ShellParts { shell, conduction, probes, driven, surface, turn, memory, said, sets })
+    Ok(ShellParts { shell, conduction, capacities, probes, driven, surface, turn, memory, said, sets })
 }
 
 fn turn(scene: &ShellInScene<'_>) -> Rotation3<f64> {
@@ -201,6 +203,8 @@ pub(super) struct ShellParts {
     pub(super) shell: Shell,
     /// How it conducts heat, where the scene has any.
     conduction: Option<Conduction>,
+    /// Heat that its particles store by degree \[F L/Θ\].
+    capacities: Vec<(u32, f64)>,
     probes: Vec<Probe>,
     driven: Option<PrescribedPoint>,
     /// Where the surface comes from, if it was read from a file.

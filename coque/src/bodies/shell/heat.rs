@@ -33,6 +33,8 @@ impl Builder<'_> {
         conduction: Option<&Conduction>,
     ) -> Result<Vec<sph_shell::Temperature>, SceneError> {
         let mut all = Vec::new();
+        // Found once, whichever loads take them up.
+        let mut found: Option<Vec<f64>> = None;
         for load in &self.scene.loads {
             let Some(Temperature { change, difference, values, conducted }) = &load.temperature else {
                 continue;
@@ -42,10 +44,14 @@ impl Builder<'_> {
             let conducted = conducted.as_ref().zip(conduction);
             let changes = match (values, conducted) {
                 (None, Some((own, conduction))) => {
-                    let found = conduction.steady().map_err(|error| {
-                        model_error(self.scene.source, &load.at("temperature.conducted"), &error.to_string())
-                    })?;
-                    let means = by_cell(&found.values, &cells, cloud).into_iter();
+                    let values = match found.take() {
+                        Some(values) => values,
+                        None => conduction.steady().map(|found| found.values).map_err(|error| {
+                            let path = load.at("temperature.conducted");
+                            model_error(self.scene.source, &path, &error.to_string())
+                        })?,
+                    };
+                    let means = by_cell(found.insert(values), &cells, cloud).into_iter();
                     means.map(|temperature| [temperature - own.over, 0.0]).collect()
                 }
                 (None, None) => vec![own; cells.len()],

@@ -44,6 +44,16 @@ impl Material {
         }
     }
 
+    /// Heat that a volume takes up by degree \[F/(L² Θ)\], where the scene gives it.
+    pub fn heat_by_volume(&self) -> Option<f64> {
+        let by_mass = match self {
+            Self::Elastic(material) => material.specific_heat,
+            Self::Orthotropic(material) => material.specific_heat,
+            _ => None,
+        };
+        by_mass.zip(self.density()).map(|(own, density)| own.get() * density)
+    }
+
     /// The one strain measure that its law is written in, where it is not that of small strains.
     pub(crate) fn curvature(&self) -> Option<&'static str> {
         match self {
@@ -96,6 +106,9 @@ pub struct Elastic {
     pub expansion: Option<f64>,
     /// Conductivity of a shell along which heat runs, by any unit Θ of temperature \[F/(T Θ)\].
     pub conductivity: Option<Positive>,
+    /// Heat that a mass takes up by degree, of a shell that warms in time \[L²/(T² Θ)\].
+    #[serde(rename = "specific_heat")]
+    pub specific_heat: Option<Positive>,
     /// Strength of a shell that von Mises' stress is held against in reserve factors \[F/L²\], such as the yield strength; nothing yields.
     pub strength: Option<Positive>,
 }
@@ -120,6 +133,8 @@ pub struct Orthotropic {
     pub expansion: Option<[f64; 2]>,
     /// Conductivities along the fibre and across it, by any unit Θ of temperature \[F/(T Θ)\].
     pub conductivity: Option<[Positive; 2]>,
+    /// Heat that a mass takes up by degree, of a shell that warms in time \[L²/(T² Θ)\].
+    pub specific_heat: Option<Positive>,
     /// Strengths, for reserve factors of plies; nothing fails.
     pub strength: Option<FibreStrength>,
 }
