@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     Box3 = TypedDict("Box3", {"max": Sequence[Union[float, str]], "min": Sequence[Union[float, str]]})
     Branches: TypeAlias = Union[Literal['primary'], Literal['stable'], Literal['stable-reversed']]
     Buckling = TypedDict("Buckling", {"modes": Union[int, str], "prebuckling": NotRequired["Prebuckling"], "sign": NotRequired["Sign"]})
+    ByTemperature = TypedDict("ByTemperature", {"expansion": NotRequired[Sequence[Sequence[Union[float, str]]]], "poisson": NotRequired[Sequence[Sequence[Union[float, str]]]], "reference": Union[float, str], "young": NotRequired[Sequence[Sequence[Union[float, str]]]]})
     Coat = TypedDict("Coat", {"thickness": Union[float, str], "young": Union[float, str]})
     ColumnOfFile: TypeAlias = Union[str, int]
     Combination = TypedDict("Combination", {"name": str, "of": Mapping[str, Union[float, str]]})
@@ -83,7 +84,7 @@ if TYPE_CHECKING:
     Disc = TypedDict("Disc", {"centre": Sequence[Union[float, str]], "radius": Union[float, str], "spacing": Union[float, str]})
     Disorder = TypedDict("Disorder", {"fraction": Union[float, str], "seed": Union[int, str]})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]
-    Elastic = TypedDict("Elastic", {"conductivity": NotRequired[Union[float, str]], "density": Union[float, str], "expansion": NotRequired[Union[float, str]], "poisson": Union[float, str], "specific_heat": NotRequired[Union[float, str]], "strength": NotRequired[Union[float, str]], "young": Union[float, str], "young-values": NotRequired[str]})
+    Elastic = TypedDict("Elastic", {"by_temperature": NotRequired["ByTemperature"], "conductivity": NotRequired[Union[float, str]], "density": Union[float, str], "expansion": NotRequired[Union[float, str]], "poisson": Union[float, str], "specific_heat": NotRequired[Union[float, str]], "strength": NotRequired[Union[float, str]], "young": Union[float, str], "young-values": NotRequired[str]})
     ErrorBars = TypedDict("ErrorBars", {"probes": NotRequired[Sequence["ErrorProbe"]], "sharpen": NotRequired[bool]})
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[Union[float, str]], "transient": NotRequired["Transient"]})

@@ -106,6 +106,7 @@ pub use rigid::{Coat, RigidBall, RigidBox, RigidGeometry, RigidScene};
 pub use rigid_joints::{AlongAxis, BallJoint, JointScene};
 pub use sets::{Box3, Layer, Near, OnPlane, Region};
 pub use shell::ShellScene;
+pub use shell::by_temperature::ByTemperature;
 pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use shell::geometry::{
     Cylinder, Disorder, Geometry, Orientation, Placed, Placing, Plate, Scattered, Sphere, Twisted,

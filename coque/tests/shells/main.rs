@@ -11,6 +11,7 @@ mod strip;
 
 mod branches;
 mod buckling;
+mod by_temperature;
 mod cases;
 mod conduction;
 mod conjugate_gradients;

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::scene::bounded::Positive;
+use crate::scene::shell::by_temperature::ByTemperature;
 use crate::scene::shell::plastic::Plastic;
 use crate::scene::shell::rubber::Rubber;
 use crate::scene::shell::strength::FibreStrength;
@@ -109,6 +110,9 @@ pub struct Elastic {
     /// Heat that a mass takes up by degree, of a shell that warms in time \[L²/(T² Θ)\].
     #[serde(rename = "specific_heat")]
     pub specific_heat: Option<Positive>,
+    /// How its numbers go with the temperature, of a shell that is heated.
+    #[serde(rename = "by_temperature")]
+    pub by_temperature: Option<ByTemperature>,
     /// Strength of a shell that von Mises' stress is held against in reserve factors \[F/L²\], such as the yield strength; nothing yields.
     pub strength: Option<Positive>,
 }
