@@ -191,6 +191,15 @@ fn heated_shells_are_their_closed_forms() {
     assert_abs_diff_eq!(table.number(3, "value").unwrap(), 80.0 / libm::cosh(0.1 * m), epsilon = 0.51e-10);
     let heat = 200.0 * 0.003 * 0.05 * m * 80.0 * libm::tanh(0.1 * m);
     assert_abs_diff_eq!(table.number(4, "value").unwrap(), heat, epsilon = 0.51e-10);
+    for (row, time) in [(5, 20.0), (6, 60.0)] {
+        let term = |k: f64| {
+            let decay = (k * PI / 0.1).powi(2) * 45.0 / (7850.0 * 480.0);
+            4.0 / (k * PI) * libm::sin(0.5 * k * PI) * libm::exp(-decay * time)
+        };
+        let series: f64 = (0..40).map(|n| term(f64::from(2 * n + 1))).sum();
+        let exact = 480.0 * series * series * libm::exp(-200.0 / (7850.0 * 480.0 * 0.002) * time);
+        assert_abs_diff_eq!(table.number(row, "value").unwrap(), exact, epsilon = 0.51e-10);
+    }
 }
 
 /// A ply under σ at an angle: `A σ² + B σ = 1` with `A = F₁₁c⁴ + F₂₂s⁴ + (F₆₆ + 2F₁₂)s²c²`, `B = F₁c² + F₂s²` \[tsai1971\].

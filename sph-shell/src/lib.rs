@@ -279,13 +279,11 @@
 //! | the stable step does not collapse with thickness | `stable_step_does_not_collapse_with_thickness` |
 //! | a cell turned inside out, crushed or torn is named, static and dynamic | tests/bounds.rs |
 //! | what a laminate and its axes promise | tests/layered.rs |
-//! | regions: beams of two thicknesses and heights, derivatives, six zero modes, masses, the same bits for any threads | tests/regions.rs |
-//! | two strain measures in one strip | `two_measures_in_one_strip_turn_as_each_says` (tests/regions.rs) |
+//! | regions: beams of two thicknesses and heights, derivatives, six zero modes, masses, the same bits for any threads; two strain measures in one strip; a mass at the end of one | tests/regions.rs |
 //! | sections with memory: a hardening line there and back, derivatives, what is taken back and taken up, one bit for threads and parts of a step, the balance | tests/history.rs |
 //! | initial stress: derivatives, relief, rolling up, rest where edges are held, energy and bits in time | tests/initial_stress.rs |
 //! | plates and membranes under initial stress vibrate and buckle as closed forms say | tests/prestressed.rs |
-//! | heat: derivatives, free plates and strips, held plates, buckling, two plies | tests/heat.rs |
-//! | a mass at the end of a strip lowers its frequencies as it should | `a_mass_at_the_end_lowers_the_frequency` (tests/regions.rs) |
+//! | heat: derivatives, free plates and strips, held plates, buckling, two plies; conducted, in balance and in time | tests/heat.rs; tests/conduction.rs, tests/heat_in_time.rs |
 //! | pressure and areas on cells add up; supports bear what the loads are | `patches_of_pressure_add_up_to_the_whole`, `areas_spread_over_cells_add_up_to_those_of_the_particles`, `supports_bear_what_the_loads_are` (tests/load_stiffness.rs) |
 //! | forces on wet points and on particles do the same work for any motion, and have the same sum and moment | `virtual_work_is_the_same_on_points_and_particles`, `forces_and_moments_are_kept` (tests/wetted.rs) |
 //! | wet points lie below the faces, evenly, over all of the shell | `a_strip_is_wetted_along_its_middle_line`, `points_cover_a_shell_in_space_evenly` |
@@ -360,7 +358,9 @@ pub use conditions::tools::Tool;
 pub use conditions::touched::contact_stiffness;
 pub use conditions::turn::Turn;
 pub use conditions::turned::Turned;
-pub use conduction::{Conduction, ConductionError, Conductor, HeatBalance, Radiation, Temperatures};
+pub use conduction::{
+    Conduction, ConductionError, Conductor, HeatBalance, HeatCourse, Radiation, Temperatures,
+};
 pub use control::arcs::ChordLoss;
 pub use error::{EnclosedError, HeatError, ShellError, StiffenerError};
 pub use even_bed::{EvenBed, even_bed};

@@ -11,7 +11,7 @@ macro_rules! data {
 /// Shells that are heated, of plies, that yield.
 #[rustfmt::skip]
 pub(super) const SHELLS: &[Entry] = &[
-    Entry { name: "heated_shells", quantity: "changes of temperature at which held plates buckle, curvature of two metals, temperature and heat of a fin, one a row",
+    Entry { name: "heated_shells", quantity: "changes of temperature at which held plates buckle, curvature of two metals, temperature and heat of a fin, temperatures of a quenched plate, one a row",
         uncertainty: "exact for thin plates, for sections of two plies and for fins alike across; rounding of the printed digits, 1e-10",
         json: data!("heated_shells") },
     Entry { name: "ply_strength", quantity: "factor on the load of plies and laminates until the first ply fails, by two criteria, one a row",

@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     Box3 = TypedDict("Box3", {"max": Sequence[Union[float, str]], "min": Sequence[Union[float, str]]})
     Branches: TypeAlias = Union[Literal['primary'], Literal['stable'], Literal['stable-reversed']]
     Buckling = TypedDict("Buckling", {"modes": Union[int, str], "prebuckling": NotRequired["Prebuckling"], "sign": NotRequired["Sign"]})
+    ByTemperature = TypedDict("ByTemperature", {"expansion": NotRequired[Sequence[Sequence[Union[float, str]]]], "poisson": NotRequired[Sequence[Sequence[Union[float, str]]]], "reference": Union[float, str], "young": NotRequired[Sequence[Sequence[Union[float, str]]]]})
     Coat = TypedDict("Coat", {"thickness": Union[float, str], "young": Union[float, str]})
     ColumnOfFile: TypeAlias = Union[str, int]
     Combination = TypedDict("Combination", {"name": str, "of": Mapping[str, Union[float, str]]})
@@ -83,7 +84,7 @@ if TYPE_CHECKING:
     Disc = TypedDict("Disc", {"centre": Sequence[Union[float, str]], "radius": Union[float, str], "spacing": Union[float, str]})
     Disorder = TypedDict("Disorder", {"fraction": Union[float, str], "seed": Union[int, str]})
     Divergence: TypeAlias = Union[Literal['sum'], Literal['difference']]
-    Elastic = TypedDict("Elastic", {"conductivity": NotRequired[Union[float, str]], "density": Union[float, str], "expansion": NotRequired[Union[float, str]], "poisson": Union[float, str], "strength": NotRequired[Union[float, str]], "young": Union[float, str], "young-values": NotRequired[str]})
+    Elastic = TypedDict("Elastic", {"by_temperature": NotRequired["ByTemperature"], "conductivity": NotRequired[Union[float, str]], "density": Union[float, str], "expansion": NotRequired[Union[float, str]], "poisson": Union[float, str], "specific_heat": NotRequired[Union[float, str]], "strength": NotRequired[Union[float, str]], "young": Union[float, str], "young-values": NotRequired[str]})
     ErrorBars = TypedDict("ErrorBars", {"probes": NotRequired[Sequence["ErrorProbe"]], "sharpen": NotRequired[bool]})
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[Union[float, str]], "transient": NotRequired["Transient"]})
@@ -145,8 +146,9 @@ if TYPE_CHECKING:
     Hardening_4 = TypedDict("Hardening_4", {"table": Sequence[Sequence[Union[float, str]]]})
     Hardening: TypeAlias = Union["Hardening_1", "Hardening_2", "Hardening_3", "Hardening_4"]
     Harmonic = TypedDict("Harmonic", {"base": NotRequired["ShakenBase"], "damping": NotRequired["VibrationDamping"], "frequencies": "Frequencies", "modes": NotRequired[Union[int, str]]})
-    Heat: TypeAlias = Mapping[str, Any]
-    HeatScene = TypedDict("HeatScene", {"edge_flux": NotRequired[Union[float, str]], "film": NotRequired["Film"], "flow": NotRequired[Union[float, str]], "flux": NotRequired[Union[float, str]], "held": NotRequired[Union[float, str]], "on": str, "radiation": NotRequired["RadiationScene"]})
+    Heat = TypedDict("Heat", {"transient": NotRequired["HeatInTime"]})
+    HeatInTime = TypedDict("HeatInTime", {"duration": Union[float, str], "record_every": Union[float, str], "start": NotRequired[Union[float, str]], "tolerance": Union[float, str]})
+    HeatScene = TypedDict("HeatScene", {"amplitude": NotRequired["Amplitude"], "edge_flux": NotRequired[Union[float, str]], "film": NotRequired["Film"], "flow": NotRequired[Union[float, str]], "flux": NotRequired[Union[float, str]], "held": NotRequired[Union[float, str]], "on": str, "radiation": NotRequired["RadiationScene"]})
     Held = TypedDict("Held", {"director": NotRequired[Sequence[Sequence[Union[float, str]]]], "displacement": NotRequired[Sequence[Sequence[Union[float, str]]]]})
     Homogeneous = TypedDict("Homogeneous", {"gauss_points": NotRequired[Union[int, str]], "slices": NotRequired[Union[int, str]], "table": NotRequired["ThicknessTable"], "taper": NotRequired["Taper"], "thickness": Union[float, str], "values": NotRequired[str]})
     Imperfection = TypedDict("Imperfection", {"amplitude": Union[float, str], "half_waves": NotRequired[Sequence[Union[int, str]]], "mode": NotRequired[Union[int, str]]})
@@ -190,7 +192,7 @@ if TYPE_CHECKING:
     OfFile: TypeAlias = Mapping[str, Any]
     OnPlane = TypedDict("OnPlane", {"normal": Sequence[Union[float, str]], "point": Sequence[Union[float, str]], "within": NotRequired[Union[float, str]]})
     Orientation = TypedDict("Orientation", {"axis": Sequence[Union[float, str]], "degrees": Union[float, str]})
-    Orthotropic = TypedDict("Orthotropic", {"conductivity": NotRequired[Sequence[Union[float, str]]], "density": Union[float, str], "expansion": NotRequired[Sequence[Union[float, str]]], "poisson": Union[float, str], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]], "strength": NotRequired["FibreStrength"], "young_across": Union[float, str], "young_along": Union[float, str]})
+    Orthotropic = TypedDict("Orthotropic", {"conductivity": NotRequired[Sequence[Union[float, str]]], "density": Union[float, str], "expansion": NotRequired[Sequence[Union[float, str]]], "poisson": Union[float, str], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]], "specific_heat": NotRequired[Union[float, str]], "strength": NotRequired["FibreStrength"], "young_across": Union[float, str], "young_along": Union[float, str]})
     OrthotropicSolid = TypedDict("OrthotropicSolid", {"axes": NotRequired[Sequence[Sequence[Union[float, str]]]], "density": Union[float, str], "poisson": Sequence[Union[float, str]], "shear": Sequence[Union[float, str]], "young": Sequence[Union[float, str]]})
     Output = TypedDict("Output", {"checkpoint_every": NotRequired[Union[float, str]], "fields": NotRequired["Fields"], "over_time": NotRequired[bool], "plot": NotRequired["Plot"]})
     PartFormulation = TypedDict("PartFormulation", {"stress-point": NotRequired["PartStressPoint"]})

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use explicit_dynamics::Instant;
 
 use super::cases::Cases;
+use super::heat::HeatingInTime;
 use super::march::Marching;
 use super::one_solve::OneSolveLevels;
 use super::path::{Levels, arc_length};
@@ -41,6 +42,8 @@ pub(super) enum Course {
     Unshaken,
     Buckling(Buckling),
     Heat,
+    /// A row at once.
+    HeatInTime(Box<HeatingInTime>),
 }
 
 impl Course {
@@ -69,7 +72,10 @@ impl Course {
             // A body of no scene has no bases that shake it.
             Analysis::ResponseSpectrum(_) | Analysis::RandomVibration(_) => Self::Unshaken,
             Analysis::Buckling(wanted) => Self::Buckling(*wanted),
-            Analysis::Heat(_) => Self::Heat,
+            Analysis::Heat(wanted) => match wanted.transient {
+                Some(run) => Self::HeatInTime(Box::new(HeatingInTime::new(run))),
+                None => Self::Heat,
+            },
         }
     }
 
@@ -116,8 +122,9 @@ impl Course {
                 ControlFlow::Break(modes::buckling(wanted, body.as_mut(), run))
             }
             (Self::Heat, Ready::Heat(body)) => ControlFlow::Break(heat::steady(body.as_mut(), run)),
+            (Self::HeatInTime(course), Ready::Heat(body)) => course.advance(body.as_mut(), run),
             (_, Ready::Heat(_)) => refused(analysis, "a body that moves"),
-            (Self::Heat, _) => refused(analysis, "a body that conducts heat"),
+            (Self::Heat | Self::HeatInTime(_), _) => refused(analysis, "a body that conducts heat"),
             (Self::March(_), Ready::Static(_)) => refused(analysis, "a body that is marched"),
             (_, Ready::Dynamic(_)) => refused(analysis, "a body without time"),
         }
@@ -136,6 +143,7 @@ impl Course {
     pub fn stands_at(&self) -> Instant {
         let level = match self {
             Self::March(march) => return march.stands_at(),
+            Self::HeatInTime(course) => return course.stands_at(),
             Self::Levels(levels) => levels.last(),
             Self::StartedLevels(levels) => levels.last(),
             Self::OneSolve(levels) => levels.last(),

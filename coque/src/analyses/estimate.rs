@@ -45,7 +45,11 @@ impl Model {
                 of_march(explicit, body.as_mut(), threads, bytes)
             }
             (Ready::Dynamic(_), _) => Estimate { bytes, ..Estimate::default() },
-            (Ready::Heat(_), _) => Estimate { steps: Some([1.0; 2]), bytes, ..Estimate::default() },
+            // In time estimates choose the steps, which nothing tells beforehand.
+            (Ready::Heat(_), analysis) => {
+                let steps = (!analysis.kind().passes_time).then_some([1.0; 2]);
+                Estimate { steps, bytes, ..Estimate::default() }
+            }
             (Ready::Static(body), analysis) => of_balance(analysis, cases, body.as_mut(), bytes),
         }
     }

@@ -182,8 +182,9 @@ fn with_analysis(analysis: &Analysis, tangent: TangentCost) -> (Vec<String>, Vec
         }
         _ => {}
     }
-    if matches!(analysis, Analysis::Heat(_)) {
-        return (Vec::new(), ["motion", "a course of temperatures in time"].map(String::from).into());
+    if let Analysis::Heat(wanted) = analysis {
+        let course = wanted.transient.is_none().then_some("a course of temperatures in time");
+        return (Vec::new(), ["motion"].into_iter().chain(course).map(String::from).collect());
     }
     let Analysis::Explicit(explicit) = analysis else {
         let inertia = (!matches!(analysis, Analysis::Modal(_))).then(|| "inertia".to_string());

@@ -31,7 +31,8 @@ use crate::scene::Analysis;
 /// | `explicit` | a step (two where one of them shows the period), and a record of the state before one |
 /// | `static`, `relaxation` | a level found; the first has the row of the start as well |
 /// | `linear` with load cases | a case or a combination |
-/// | else `linear`, `arc-length`, `modal`, `harmonic`, `response-spectrum`, `random-vibration`, `buckling` | all of it at once |
+/// | `heat` in time | a row of the curve |
+/// | else `linear`, `arc-length`, `modal`, `harmonic`, `response-spectrum`, `random-vibration`, `buckling`, `heat` | all of it at once |
 ///
 /// A preload is an event of its own. Wall time is counted from the beginning, with what the caller does in between.
 ///

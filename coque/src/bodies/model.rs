@@ -226,6 +226,7 @@ impl Model {
             | "unbalanced"
             | "remaining_displacement" => Quantity::Ratio,
             "circular_frequency" | "frequency" => Quantity::Rate,
+            "step_error" => Quantity::Temperature,
             "supplied" | "held" | "film" | "radiated" => Quantity::HeatFlow,
             _ => Quantity::Energy,
         };

@@ -1,6 +1,6 @@
 //! Bodies ready for their analysis: one that is marched, one whose equilibria are sought, one that conducts heat.
 
-use sph_shell::{ConductionError, Temperatures};
+use sph_shell::{ConductionError, HeatCourse, Temperatures};
 
 use super::body::{Body, DynamicBody, StaticBody};
 
@@ -11,6 +11,18 @@ pub trait ConductingBody: Body {
     /// # Errors
     /// [`ConductionError`] where no balance is found.
     fn settle(&mut self) -> Result<&Temperatures, ConductionError>;
+
+    /// Puts it at the start of a course of temperatures: all of it at one \[Θ\], or in balance under what is given then.
+    ///
+    /// # Errors
+    /// [`ConductionError`] where no balance is found, or something stores no heat.
+    fn start(&mut self, temperature: Option<f64>) -> Result<&HeatCourse, ConductionError>;
+
+    /// Goes on to a time \[T\] by steps of which each is off by a tolerance at most \[Θ\]; started first where it is not.
+    ///
+    /// # Errors
+    /// [`ConductionError`] where no step is short enough.
+    fn advance(&mut self, until: f64, tolerance: f64) -> Result<&HeatCourse, ConductionError>;
 }
 
 /// A body ready for its analysis.

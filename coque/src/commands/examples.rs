@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 117] = [
+const EXAMPLES: [Example; 118] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -116,6 +116,7 @@ const EXAMPLES: [Example; 117] = [
     Example::new("heated-plate", 0.5, include_str!("../../../scenes/heated-plate.toml")),
     Example::new("plate-heated-aside", 0.5, include_str!("../../../scenes/plate-heated-aside.toml")),
     Example::new("cooled-fin", 0.1, include_str!("../../../scenes/cooled-fin.toml")),
+    Example::new("plate-quenched", 0.5, include_str!("../../../scenes/plate-quenched.toml")),
     Example::new("bimetal-strip", 0.1, include_str!("../../../scenes/bimetal-strip.toml")),
     Example::new("relieved-strip", 0.1, include_str!("../../../scenes/relieved-strip.toml")),
     Example::new("ring", 3.0, include_str!("../../../scenes/ring.toml")),

@@ -177,6 +177,7 @@ impl<'a> Frames<'a> {
                 (State::Greatest, Along::Number(1))
             }
             Analysis::Modal(_) | Analysis::Buckling(_) => (State::Mode, Along::Number(1)),
+            Analysis::Heat(wanted) if wanted.transient.is_some() => (State::Mode, Along::Time),
             Analysis::Heat(_) => (State::Mode, Along::Level),
         };
         let every = task.output.fields.map_or(1, |fields| fields.every).max(1);

@@ -36,7 +36,7 @@ pub enum Analysis {
     RandomVibration(RandomVibration),
     /// Buckling levels and modes, linearised about the unloaded or the preloaded shell.
     Buckling(Buckling),
-    /// Temperatures of a shell that conducts heat, in balance.
+    /// Temperatures of a shell that conducts heat, in balance or in time.
     Heat(Heat),
 }
 

@@ -67,6 +67,10 @@ const NOISY: &[&str] = &["frequency", "circular_frequency"];
 /// Columns of temperatures in balance: heat that enters by each way.
 const HEATED: &[&str] = &["iterations", "supplied", "held", "film", "radiated"];
 
+/// Columns of temperatures in time: heat that has entered by each way, what is stored, the sum of the estimates of steps.
+const HEATED_IN_TIME: &[&str] =
+    &["time", "supplied_heat", "held_heat", "film_heat", "radiated_heat", "stored_heat", "step_error"];
+
 /// What most analyses without time are.
 const LEVELLED: AnalysisKind = AnalysisKind {
     word: "",
@@ -201,6 +205,19 @@ const WITHOUT_ITERATIONS: AnalysisKind = AnalysisKind {
     ..LEVELLED
 };
 
+/// Temperatures in time.
+const HEAT_IN_TIME: AnalysisKind = AnalysisKind {
+    word: "heat",
+    name: "a heat analysis in time",
+    columns: HEATED_IN_TIME,
+    passes_time: true,
+    floats: true,
+    wants_driver: false,
+    seeks_force: false,
+    wants_tangent: false,
+    ..LEVELLED
+};
+
 impl Analysis {
     /// The kind of the analysis.
     pub fn kind(&self) -> &'static AnalysisKind {
@@ -231,6 +248,7 @@ impl Analysis {
             Self::ResponseSpectrum(_) => spectrum,
             Self::RandomVibration(_) => random,
             Self::Buckling(_) => buckling,
+            Self::Heat(wanted) if wanted.transient.is_some() => &HEAT_IN_TIME,
             Self::Heat(_) => heat,
         }
     }
@@ -240,6 +258,11 @@ impl Analysis {
         let factorised =
             !matches!(self, Self::Linear(Linear { solver: LinearSolver::ConjugateGradients, .. }));
         self.kind().columns.iter().copied().filter(move |&name| factorised || name != "negative_pivots")
+    }
+
+    /// Whether bodies move in time by it, not along a load path.
+    pub fn moves_in_time(&self) -> bool {
+        self.kind().passes_time && !matches!(self, Self::Heat(_))
     }
 
     /// Whether it finds vibrations of a size, steady ones or the greatest of them.

@@ -1,5 +1,6 @@
 //! Heat that a shell conducts along its mid-surface: what holds its temperature, and what gives it heat.
 
+use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use sph_shell::WetFaces;
@@ -24,6 +25,9 @@ pub struct HeatScene {
     pub film: Option<Film>,
     /// Radiation from faces of cells to a surrounding of one temperature.
     pub radiation: Option<RadiationScene>,
+    /// Course in `[analysis.heat.transient]`, by which the number goes: the temperature or heat that is given, the ambient temperature of a film, that of
+    /// what surrounds a face that radiates.
+    pub amplitude: Option<Amplitude>,
 }
 
 /// Convection: heat enters by the coefficient times area times what the ambient is warmer.

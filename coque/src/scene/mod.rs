@@ -107,6 +107,7 @@ pub use rigid::{Coat, RigidBall, RigidBox, RigidGeometry, RigidScene};
 pub use rigid_joints::{AlongAxis, BallJoint, JointScene};
 pub use sets::{Box3, Layer, Near, OnPlane, Region};
 pub use shell::ShellScene;
+pub use shell::by_temperature::ByTemperature;
 pub use shell::formulation::{Formulation, Nodal, Reach, StressPoint, StrongForm};
 pub use shell::geometry::{
     Cylinder, Disorder, Geometry, Orientation, Placed, Placing, Plate, Scattered, Sphere, Twisted,
@@ -143,8 +144,8 @@ pub use solid::material::{OrthotropicSolid, SolidMaterial};
 pub use sph_core::LineSide;
 pub use sph_shell::{Divergence, WetFaces};
 pub use statics::{
-    ArcLength, Branches, Buckling, Heat, LevelSign, Linear, LinearSolver, Modal, Prebuckling, Relaxation,
-    RelaxationDamping, Static, Stop,
+    ArcLength, Branches, Buckling, Heat, HeatInTime, LevelSign, Linear, LinearSolver, Modal, Prebuckling,
+    Relaxation, RelaxationDamping, Static, Stop,
 };
 pub use supports::*;
 pub use through::Through;

@@ -56,6 +56,11 @@ pub struct Fields {
 }
 
 impl Fields {
+    /// Whether it wants anything of strains and stresses.
+    pub(crate) fn shows_stresses(self) -> bool {
+        self.stresses || self.principal || self.recovered || self.plies || self.reserve.is_some()
+    }
+
     /// Every frame, with the motion of the particles alone.
     pub const MOTION: Self = Self {
         every: 1,

@@ -177,7 +177,24 @@ fn usual_steps() -> Steps {
     Steps::usual(1000)
 }
 
-/// Temperatures of a shell that conducts heat along its mid-surface, in balance: `{}`. What holds and heats it stands in `[[heat]]`.
+/// Temperatures of a shell that conducts heat along its mid-surface, in balance: `{}`, or in time. What holds and heats it stands in `[[heat]]`.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Heat {}
+pub struct Heat {
+    /// Temperatures in time, from a start; left out, they are those in balance.
+    pub transient: Option<HeatInTime>,
+}
+
+/// Temperatures in time, by steps that an estimate of their error chooses: halves of `record_every`, halves of those, and so on.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HeatInTime {
+    /// Temperature of the whole shell at the start; left out, the temperatures in balance under what is given at that time \[Θ\].
+    pub start: Option<f64>,
+    /// Length of the run \[T\].
+    pub duration: Positive,
+    /// Time between rows of the curve \[T\].
+    pub record_every: Positive,
+    /// What a step may be off by at any particle, by its estimate \[Θ\]; the column `step_error` has the sum of all.
+    pub tolerance: Positive,
+}

@@ -27,7 +27,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 65] = [
+const SCENES: [(&str, Replaced); 66] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -46,6 +46,10 @@ const SCENES: [(&str, Replaced); 65] = [
     ("heated-plate.toml", &[]),
     ("plate-heated-aside.toml", &[]),
     ("cooled-fin.toml", &[]),
+    (
+        "plate-quenched.toml",
+        &[("geometry.plate.particles", "[11, 11]"), ("analysis.heat.transient.duration", "20.0")],
+    ),
     ("sandwich-panel.toml", &[]),
     ("bimetal-strip.toml", &[]),
     ("ring.toml", &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")]),

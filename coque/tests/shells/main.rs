@@ -11,6 +11,7 @@ mod strip;
 
 mod branches;
 mod buckling;
+mod by_temperature;
 mod cases;
 mod conduction;
 mod conjugate_gradients;
@@ -19,6 +20,7 @@ mod given;
 mod harmonic;
 mod harmonic_words;
 mod heat;
+mod heat_in_time;
 mod imperfection;
 mod initial_stress;
 mod layered;

@@ -43,6 +43,24 @@ pub enum ConductionError {
         /// A particle of it.
         particle: u32,
     },
+    /// A particle that stores no heat.
+    #[error("particle {particle} must store heat, but what it stores by degree is {capacity}")]
+    Capacity {
+        /// The particle.
+        particle: u32,
+        /// Heat by degree \[F L/Θ\].
+        capacity: f64,
+    },
+    /// Temperatures that no step follows.
+    #[error(
+        "at time {time} not even a step of {step:.3e} keeps to the tolerance; allow more, or see whether courses and units are meant so"
+    )]
+    Step {
+        /// Time that was reached \[T\].
+        time: f64,
+        /// The shortest step \[T\].
+        step: f64,
+    },
     /// Radiation that found no balance.
     #[error(
         "no balance of heat after {iterations} iterations; see whether emissivity, temperatures and absolute zero are in the same units"

@@ -9,17 +9,22 @@
 //! temperature runs free of heat. Sources, films and radiation act at particles, by their areas. Particles of several sheets that are joined are one.
 //!
 //! The heat that enters a particle is a derivative of a convex function of the temperatures, so that there is one answer, and Newton's method finds it; without
-//! radiation in one solve ([`Conduction::steady`]).
+//! radiation in one solve ([`Conduction::steady`]). In time the left side has `ρ c t ∂T/∂t` beside it ([`HeatCourse`]).
 
 mod cells;
+mod course;
 mod error;
+mod given;
 mod steady;
 mod system;
 
+use explicit_dynamics::Amplitude;
 use sph_core::{Cloud, SamplingOperator, Vec3, cell_operator};
 
 use cells::CellMatrix;
+pub use course::HeatCourse;
 pub use error::ConductionError;
+use given::{Changing, Given, What};
 pub use steady::{HeatBalance, Temperatures};
 
 /// How a cell conducts heat.
@@ -65,13 +70,12 @@ pub struct Conduction {
     /// Node of each particle: of those that are joined the first.
     node: Vec<u32>,
     pieces: Vec<Vec<u32>>,
-    held: Vec<Option<f64>>,
-    /// Heat that is supplied to each node \[F L/T\].
-    supplied: Vec<f64>,
-    /// Film coefficient times area of each node \[F L/(T Θ)\], and the same times the ambient temperature \[F L/T\].
-    film: Vec<[f64; 2]>,
-    /// Nodes that radiate, with the factor times the area.
-    radiating: Vec<(u32, Radiation)>,
+    /// What is given whenever it is, and how films and radiation join nodes to what goes by a course.
+    given: Given,
+    changing: Vec<Changing>,
+    courses: Vec<Amplitude>,
+    /// The one by which goes what is given now.
+    course: Option<usize>,
 }
 
 impl Conduction {
@@ -99,64 +103,91 @@ impl Conduction {
             tensors,
             node,
             pieces: cloud.pieces(),
-            held: vec![None; count],
-            supplied: vec![0.0; count],
-            film: vec![[0.0; 2]; count],
-            radiating: Vec::new(),
+            given: Given::none(count),
+            changing: Vec::new(),
+            courses: Vec::new(),
+            course: None,
         })
+    }
+
+    /// Lets temperatures and heat that are given meanwhile go by a course in time, which multiplies them; film coefficients and emissivities stay.
+    pub fn in_course<R>(&mut self, course: Amplitude, give: impl FnOnce(&mut Self) -> R) -> R {
+        let before = self.course.replace(self.courses.len());
+        self.courses.push(course);
+        let given = give(self);
+        self.course = before;
+        given
     }
 
     /// Holds particles at a temperature \[Θ\].
     ///
     /// # Errors
-    /// [`ConductionError::Contradiction`] for one that is held at another already.
+    /// [`ConductionError::Contradiction`] for one that is held at another already, or by another course.
     pub fn hold(&mut self, particles: &[u32], temperature: f64) -> Result<(), ConductionError> {
-        for &particle in particles {
-            let own = &mut self.held[self.node[particle as usize] as usize];
-            match *own {
-                Some(other) if other != temperature => {
-                    return Err(ConductionError::Contradiction {
-                        particle,
-                        temperatures: [other, temperature],
-                    });
-                }
-                _ => *own = Some(temperature),
+        let own = self.course.map(|course| (&self.courses[course], temperature));
+        let start = own.map_or(temperature, |(course, _)| course.value(0.0) * temperature);
+        let nodes: Vec<u32> = particles.iter().map(|&a| self.node[a as usize]).collect();
+        for (&node, &particle) in nodes.iter().zip(particles) {
+            let held = self.given.held[node as usize];
+            if let Some(other) = held.filter(|&other| other != start || self.holds(node) != own) {
+                return Err(ConductionError::Contradiction { particle, temperatures: [other, start] });
             }
+        }
+        for node in nodes {
+            self.given.held[node as usize] = Some(start);
+            self.goes_by_course(node, temperature, What::Held);
         }
         Ok(())
     }
 
+    /// By which course a node is held, and at what.
+    fn holds(&self, node: u32) -> Option<(&Amplitude, f64)> {
+        let own = self.changing.iter().find(|own| own.node == node && own.what == What::Held)?;
+        Some((&self.courses[own.course], own.number))
+    }
+
+    /// Whether what is given to a node goes by a course; notes it.
+    fn goes_by_course(&mut self, node: u32, number: f64, what: What) -> bool {
+        self.changing.extend(self.course.map(|course| Changing { course, node, number, what }));
+        self.course.is_some()
+    }
+
     /// Supplies heat to particles \[F L/T\].
     pub fn supply(&mut self, heat: &[(u32, f64)]) {
-        heat.iter().for_each(|&(a, heat)| self.supplied[self.node[a as usize] as usize] += heat);
+        for &(a, heat) in heat {
+            let node = self.node[a as usize];
+            if !self.goes_by_course(node, heat, What::Supplied) {
+                self.given.supplied[node as usize] += heat;
+            }
+        }
     }
 
     /// A film between areas of particles \[L²\] and something of an ambient temperature \[Θ\], by its coefficient \[F/(L T Θ)\].
     pub fn film(&mut self, areas: &[(u32, f64)], coefficient: f64, ambient: f64) {
         for &(a, area) in areas {
-            let [by_degree, heat] = &mut self.film[self.node[a as usize] as usize];
-            *by_degree += coefficient * area;
-            *heat += coefficient * area * ambient;
+            let (node, by_degree) = (self.node[a as usize], coefficient * area);
+            self.given.film[node as usize][0] += by_degree;
+            if !self.goes_by_course(node, by_degree * ambient, What::Film) {
+                self.given.film[node as usize][1] += by_degree * ambient;
+            }
         }
     }
 
     /// Areas of particles that radiate \[L²\].
     pub fn radiate(&mut self, areas: &[(u32, f64)], radiation: Radiation) {
-        let of = |&(a, area): &(u32, f64)| {
-            (self.node[a as usize], Radiation { factor: radiation.factor * area, ..radiation })
-        };
-        let own: Vec<_> = areas.iter().map(of).collect();
-        self.radiating.extend(own);
+        for &(a, area) in areas {
+            let node = self.node[a as usize];
+            self.goes_by_course(node, radiation.surroundings, What::Surroundings(self.given.radiating.len()));
+            self.given.radiating.push((node, Radiation { factor: radiation.factor * area, ..radiation }));
+        }
     }
 
     /// The first particle of a piece whose temperature nothing tells: neither is it held nor is there a film or radiation. None where there is no such piece.
     pub fn untold(&self) -> Option<u32> {
+        let Given { held, film, radiating, .. } = &self.given;
         let mut known: Vec<bool> =
-            (0..self.held.len()).map(|a| self.held[a].is_some() || self.film[a][0] > 0.0).collect();
-        self.radiating
-            .iter()
-            .filter(|(_, own)| own.factor > 0.0)
-            .for_each(|(a, _)| known[*a as usize] = true);
+            held.iter().zip(film).map(|(held, film)| held.is_some() || film[0] > 0.0).collect();
+        radiating.iter().filter(|(_, own)| own.factor > 0.0).for_each(|(a, _)| known[*a as usize] = true);
         let piece =
             self.pieces.iter().find(|piece| piece.iter().all(|&a| !known[self.node[a as usize] as usize]));
         piece.and_then(|piece| piece.first().copied())

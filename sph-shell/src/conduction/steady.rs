@@ -2,13 +2,14 @@
 
 use sph_core::Vec3;
 
+use super::given::Given;
 use super::system::System;
 use super::{Conduction, ConductionError, Radiation};
 
 /// Heat that a balance leaves over what runs, sums of magnitudes: thousands of roundings of them.
-const LEFT: f64 = 1e-12;
+pub(super) const LEFT: f64 = 1e-12;
 /// Roundings of the temperatures themselves that a balance may leave.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Newton's method falls quadratically on a convex function; a start in the wrong units takes some twenty.
 const MOST_ITERATIONS: usize = 100;
 const MOST_HALVINGS: usize = 40;
@@ -65,7 +66,7 @@ impl Radiation {
 }
 
 impl Conduction {
-    /// The temperatures in balance.
+    /// The temperatures in balance under what is given at the start of all courses.
     ///
     /// # Errors
     /// [`ConductionError`] for pieces whose temperature nothing tells, and for balances that are not found.
@@ -73,9 +74,10 @@ impl Conduction {
         if let Some(particle) = self.untold() {
             return Err(ConductionError::Untold { particle });
         }
+        let given = &self.given_at(0.0);
         let mut system = System::new(self)?;
-        let mut values = self.start();
-        let mut entering = self.entering(&values);
+        let mut values = given.start();
+        let mut entering = self.entering(given, &values);
         let mut iterations = 0;
         // Where much heat hides little, one solve finds the little.
         while iterations == 0 || left(&system, &entering) > 1.0 {
@@ -83,7 +85,7 @@ impl Conduction {
                 return Err(ConductionError::NotFound { iterations });
             }
             iterations += 1;
-            system.factor(self, &values, 1.0, |_| 0.0)?;
+            system.factor(self, given, &values, 1.0, |_| 0.0)?;
             let mut change: Vec<f64> = system.free.iter().map(|&a| entering.net[a as usize]).collect();
             system.solver.solve(&mut change)?;
             let before = norm(&system, &entering.net);
@@ -96,7 +98,7 @@ impl Conduction {
             let mut halvings = 0;
             loop {
                 let there = moved(share);
-                let found = self.entering(&there);
+                let found = self.entering(given, &there);
                 if norm(&system, &found.net) < before
                     || halvings == MOST_HALVINGS
                     || left(&system, &found) <= 1.0
@@ -107,16 +109,64 @@ impl Conduction {
                 (share, halvings) = (0.5 * share, halvings + 1);
             }
         }
-        if let Some(&(a, own)) = self.radiating.iter().find(|(a, own)| values[*a as usize] < own.zero) {
-            let temperature = values[a as usize];
-            return Err(ConductionError::BelowZero { particle: a, temperature, zero: own.zero });
-        }
-        Ok(self.at(&values, &entering, iterations))
+        given.refuse_below_zero(&values)?;
+        Ok(self.at(given, &values, &entering, iterations))
     }
 
+    /// Heat that enters the nodes.
+    pub(super) fn entering(&self, given: &Given, values: &[f64]) -> Entering {
+        let mut net = given.supplied.clone();
+        let mut size: Vec<f64> = given.supplied.iter().map(|heat| heat.abs()).collect();
+        let mut level = vec![0.0; net.len()];
+        let mut add = |a: u32, heat: f64, of_level: f64| {
+            net[a as usize] += heat;
+            size[a as usize] += heat.abs();
+            level[a as usize] += of_level.abs();
+        };
+        for cell in &self.cells {
+            for (a, row) in cell.entries[..cell.count].iter().enumerate() {
+                // Rows sum to zero: differences of temperatures alone make heat run.
+                let own = values[cell.nodes[a] as usize];
+                for (b, entry) in row[..cell.count].iter().enumerate() {
+                    let other = values[cell.nodes[b] as usize];
+                    add(cell.nodes[a], -entry * (other - own), entry * other);
+                }
+            }
+        }
+        for (a, &[by_degree, heat]) in (0..).zip(&given.film).filter(|(_, [by_degree, _])| *by_degree > 0.0) {
+            add(a, by_degree * (heat / by_degree - values[a as usize]), heat);
+        }
+        for (a, own) in &given.radiating {
+            own.entering(values[*a as usize]).into_iter().for_each(|heat| add(*a, heat, heat));
+        }
+        Entering { net, size, level }
+    }
+
+    /// What there is to read at temperatures of nodes, held ones among them.
+    pub(super) fn at(
+        &self,
+        given: &Given,
+        values: &[f64],
+        entering: &Entering,
+        iterations: usize,
+    ) -> Temperatures {
+        let held: Vec<f64> =
+            given.held.iter().zip(&entering.net).map(|(held, net)| held.map_or(0.0, |_| -net)).collect();
+        let balance = HeatBalance { held: 0.0 + held.iter().sum::<f64>(), ..given.enters(values) };
+        let values: Vec<f64> = self.node.iter().map(|&a| values[a as usize]).collect();
+        let flux = self.operator.gradient(&values).into_iter().enumerate().map(|(c, [g1, g2])| {
+            let ([k11, k22, k12], frame) = (self.tensors[c], &self.operator.points[c].frame);
+            -(frame.t1 * (k11 * g1 + k12 * g2) + frame.t2 * (k12 * g1 + k22 * g2))
+        });
+        let flux = flux.collect();
+        Temperatures { values, held, flux, balance, iterations }
+    }
+}
+
+impl Given {
     /// Held values where there are some, elsewhere the mean of all temperatures that are given; of a surface that radiates alone that at which all of it would be
     /// in balance.
-    fn start(&self) -> Vec<f64> {
+    pub fn start(&self) -> Vec<f64> {
         let alone = self.held.iter().all(Option::is_none) && self.film.iter().all(|[by, _]| *by == 0.0);
         if let Some((_, first)) = self.radiating.first().filter(|_| alone) {
             let factors: f64 = self.radiating.iter().map(|(_, own)| own.factor).sum();
@@ -134,71 +184,44 @@ impl Conduction {
         self.held.iter().map(|held| held.unwrap_or(mean)).collect()
     }
 
-    /// Heat that enters the nodes.
-    pub(super) fn entering(&self, values: &[f64]) -> Entering {
-        let mut net = self.supplied.clone();
-        let mut size: Vec<f64> = self.supplied.iter().map(|heat| heat.abs()).collect();
-        let mut level = vec![0.0; net.len()];
-        let mut add = |a: u32, heat: f64, of_level: f64| {
-            net[a as usize] += heat;
-            size[a as usize] += heat.abs();
-            level[a as usize] += of_level.abs();
-        };
-        for cell in &self.cells {
-            for (a, row) in cell.entries[..cell.count].iter().enumerate() {
-                // Rows sum to zero: differences of temperatures alone make heat run.
-                let own = values[cell.nodes[a] as usize];
-                for (b, entry) in row[..cell.count].iter().enumerate() {
-                    let other = values[cell.nodes[b] as usize];
-                    add(cell.nodes[a], -entry * (other - own), entry * other);
-                }
-            }
-        }
-        for (a, &[by_degree, heat]) in (0..).zip(&self.film).filter(|(_, [by_degree, _])| *by_degree > 0.0) {
-            add(a, by_degree * (heat / by_degree - values[a as usize]), heat);
-        }
-        for (a, own) in &self.radiating {
-            own.entering(values[*a as usize]).into_iter().for_each(|heat| add(*a, heat, heat));
-        }
-        Entering { net, size, level }
-    }
-
     /// By how much less heat enters each node through its faces, by degree \[F L/(T Θ)\].
-    pub(super) fn surface_slopes(&self, values: &[f64]) -> Vec<f64> {
+    pub fn surface_slopes(&self, values: &[f64]) -> Vec<f64> {
         let mut slopes: Vec<f64> = self.film.iter().map(|[by_degree, _]| *by_degree).collect();
         self.radiating.iter().for_each(|(a, own)| slopes[*a as usize] += own.slope(values[*a as usize]));
         slopes
     }
 
-    /// What there is to read at temperatures of nodes, held ones among them.
-    pub(super) fn at(&self, values: &[f64], entering: &Entering, iterations: usize) -> Temperatures {
-        let held: Vec<f64> =
-            self.held.iter().zip(&entering.net).map(|(held, net)| held.map_or(0.0, |_| -net)).collect();
-        let values: Vec<f64> = self.node.iter().map(|&a| values[a as usize]).collect();
+    /// Heat that enters in all at temperatures of nodes, but for what holds some.
+    pub fn enters(&self, values: &[f64]) -> HeatBalance {
         let through = |([by_degree, heat], t): (&[f64; 2], &f64)| match *by_degree > 0.0 {
             true => by_degree * (heat / by_degree - t),
             false => 0.0,
         };
-        let film = self.film.iter().zip(&values).map(through);
+        let film = self.film.iter().zip(values).map(through);
         let radiated =
             self.radiating.iter().map(|(a, own)| own.entering(values[*a as usize]).iter().sum::<f64>());
         // A sum of nothing is −0.
-        let balance = HeatBalance {
+        HeatBalance {
             supplied: 0.0 + self.supplied.iter().sum::<f64>(),
-            held: 0.0 + held.iter().sum::<f64>(),
+            held: 0.0,
             film: 0.0 + film.sum::<f64>(),
             radiated: 0.0 + radiated.sum::<f64>(),
-        };
-        let flux = self.operator.gradient(&values).into_iter().enumerate().map(|(c, [g1, g2])| {
-            let ([k11, k22, k12], frame) = (self.tensors[c], &self.operator.points[c].frame);
-            -(frame.t1 * (k11 * g1 + k12 * g2) + frame.t2 * (k12 * g1 + k22 * g2))
-        });
-        let flux = flux.collect();
-        Temperatures { values, held, flux, balance, iterations }
+        }
+    }
+
+    /// Refuses nodes that radiate and are colder than anything.
+    pub fn refuse_below_zero(&self, values: &[f64]) -> Result<(), ConductionError> {
+        match self.radiating.iter().find(|(a, own)| values[*a as usize] < own.zero) {
+            None => Ok(()),
+            Some(&(particle, own)) => {
+                let temperature = values[particle as usize];
+                Err(ConductionError::BelowZero { particle, temperature, zero: own.zero })
+            }
+        }
     }
 }
 
-fn norm(system: &System, numbers: &[f64]) -> f64 {
+pub(super) fn norm(system: &System, numbers: &[f64]) -> f64 {
     system.free.iter().map(|&a| numbers[a as usize].powi(2)).sum::<f64>().sqrt()
 }
 

@@ -2,6 +2,7 @@
 
 use implicit_statics::SymmetricSolver;
 
+use super::given::Given;
 use super::{Conduction, ConductionError};
 
 /// Where each free node stands among the unknowns, and each entry of a cell in the pattern.
@@ -22,7 +23,7 @@ impl System {
     pub fn new(of: &Conduction) -> Result<Self, ConductionError> {
         let mut used = vec![false; of.node.len()];
         of.cells.iter().flat_map(|cell| &cell.nodes[..cell.count]).for_each(|&a| used[a as usize] = true);
-        let is_free = |a: &u32| used[*a as usize] && of.held[*a as usize].is_none();
+        let is_free = |a: &u32| used[*a as usize] && of.given.held[*a as usize].is_none();
         let free: Vec<u32> = (0..of.node.len() as u32).filter(is_free).collect();
         let mut unknown = vec![0; of.node.len()];
         (1..).zip(&free).for_each(|(number, &a)| unknown[a as usize] = number);
@@ -48,6 +49,7 @@ impl System {
     pub fn factor(
         &mut self,
         of: &Conduction,
+        given: &Given,
         temperatures: &[f64],
         factor: f64,
         more: impl Fn(usize) -> f64,
@@ -66,7 +68,7 @@ impl System {
                 }
             }
         }
-        let surface = of.surface_slopes(temperatures);
+        let surface = given.surface_slopes(temperatures);
         for (row, &a) in self.free.iter().enumerate() {
             if let Some(at) = slot(row, row) {
                 values[at] += factor * surface[a as usize] + more(a as usize);

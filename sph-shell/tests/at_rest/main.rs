@@ -10,6 +10,7 @@ mod conduction;
 mod enclosed;
 mod even_bed;
 mod heat;
+mod heat_in_time;
 mod inertia;
 mod initial_stress;
 mod iterative;

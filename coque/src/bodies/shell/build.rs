@@ -56,7 +56,8 @@ pub(in crate::bodies) fn shell_model(scene: &ShellInScene<'_>, threads: usize) -
 fn conducting_model(scene: &ShellInScene<'_>, threads: usize) -> Result<Model, SceneError> {
     let mut parts = assemble(scene, threads, None)?;
     let conduction = parts.conduction.take().ok_or_else(|| not_a(scene, "shell with [[heat]]"))?;
-    let ready = |shell| Ready::Heat(Box::new(ConductingShell::new(shell, conduction)));
+    let capacities = std::mem::take(&mut parts.capacities);
+    let ready = |shell| Ready::Heat(Box::new(ConductingShell::new(shell, conduction, capacities)));
     Ok(looked_at(scene, parts).map(ready).model(scene.scene, threads))
 }
 
@@ -93,7 +94,7 @@ pub(super) fn assemble(
     threads: usize,
     wetting: Option<Wetting>,
 ) -> Result<ShellParts, SceneError> {
-    let builder = Builder { scene, turn: turn(scene) };
+    let mut builder = Builder { scene, turn: turn(scene), warmed: Vec::new() };
     let weights = places::end_weights(scene);
     let asked =
         particles_asked(&scene.shell.geometry).map(|particles| check_memory(scene, particles)).transpose()?;
@@ -117,6 +118,17 @@ pub(super) fn assemble(
     let driver = builder.driver(&sets)?;
     let supports = builder.supports(&sets, driver)?;
     let cells = CellSets::new(scene, &flat, &sets, imported.as_ref());
+    let (conduction, capacities) = match scene.scene.heat.is_empty() {
+        true => (None, Vec::new()),
+        false => {
+            let imported = imported.as_ref();
+            let (flat, cloud, sets, cells) = (&flat, &cloud, &sets, &cells);
+            let heated = Heated { flat, cloud, sets, cells, imported, weights };
+            (Some(builder.conduction(heated)?), builder.heat_capacities(heated)?)
+        }
+    };
+    let temperatures = builder.temperatures(&cells, &cloud, conduction.as_ref())?;
+    builder.warm(&temperatures, cloud.cells.len());
     let sections = builder.sections(&flat, &cells, imported.as_ref())?;
     let mut loads = builder.loads(&sets, &cells, &sections, &cloud, weights, imported.as_ref())?;
     let driven = builder.driven(&sets, driver, &supports)?;
@@ -136,15 +148,6 @@ pub(super) fn assemble(
     let masses = builder.masses(&sets)?;
     let stiffeners = builder.stiffeners(&sets)?;
     let stresses = builder.stresses(&cells)?;
-    let conduction = match scene.scene.heat.is_empty() {
-        true => None,
-        false => {
-            let imported = imported.as_ref();
-            let (flat, cloud, sets, cells) = (&flat, &cloud, &sets, &cells);
-            Some(builder.conduction(Heated { flat, cloud, sets, cells, imported, weights })?)
-        }
-    };
-    let temperatures = builder.temperatures(&cells, &cloud, conduction.as_ref())?;
     let tools = builder.tools(&sections, &cloud);
     let own_contact = builder.own_contact(&sections, &cloud);
     let parts = Parts {
@@ -189,7 +192,7 @@ pub(super) fn assemble(
     let surface = imported.map(|imported| imported.provenance());
     let (turn, said) = (builder.turn, sections.said);
     let sets = sets.into_members();
-    Ok(ShellParts { shell, conduction, probes, driven, surface, turn, memory, said, sets })
+    Ok(ShellParts { shell, conduction, capacities, probes, driven, surface, turn, memory, said, sets })
 }
 
 fn turn(scene: &ShellInScene<'_>) -> Rotation3<f64> {
@@ -201,6 +204,8 @@ pub(super) struct ShellParts {
     pub(super) shell: Shell,
     /// How it conducts heat, where the scene has any.
     conduction: Option<Conduction>,
+    /// Heat that its particles store by degree \[F L/Θ\].
+    capacities: Vec<(u32, f64)>,
     probes: Vec<Probe>,
     driven: Option<PrescribedPoint>,
     /// Where the surface comes from, if it was read from a file.
@@ -216,6 +221,8 @@ pub(super) struct ShellParts {
 pub(crate) struct Builder<'a> {
     pub(crate) scene: &'a ShellInScene<'a>,
     turn: Rotation3<f64>,
+    /// By how much each cell is warmer once all loads are there in full \[Θ\]; empty where none is.
+    pub(super) warmed: Vec<f64>,
 }
 
 impl Builder<'_> {

@@ -4,7 +4,7 @@ use std::io;
 
 use mesh_io::{At, FieldWriter, Values, rows};
 use sph_core::Vec3;
-use sph_shell::{Conduction, ConductionError, Shell, Temperatures};
+use sph_shell::{Conduction, ConductionError, HeatCourse, Shell, Temperatures};
 
 use crate::bodies::body::{Body, Configuration, Mismatch, StateArray};
 use crate::bodies::ready::ConductingBody;
@@ -18,12 +18,16 @@ use super::fields::fields;
 pub(super) struct ConductingShell {
     shell: Shell,
     conduction: Conduction,
+    /// Heat that particles store by degree \[F L/Θ\].
+    capacities: Vec<(u32, f64)>,
     found: Temperatures,
+    /// How temperatures go in time, once they do.
+    course: Option<HeatCourse>,
 }
 
 impl ConductingShell {
     /// One whose temperatures are not known yet.
-    pub fn new(shell: Shell, conduction: Conduction) -> Self {
+    pub fn new(shell: Shell, conduction: Conduction, capacities: Vec<(u32, f64)>) -> Self {
         let count = shell.len();
         let zero = || vec![0.0; count];
         let found = Temperatures {
@@ -33,7 +37,7 @@ impl ConductingShell {
             balance: Default::default(),
             iterations: 0,
         };
-        Self { shell, conduction, found }
+        Self { shell, conduction, capacities, found, course: None }
     }
 }
 
@@ -41,6 +45,26 @@ impl ConductingBody for ConductingShell {
     fn settle(&mut self) -> Result<&Temperatures, ConductionError> {
         self.found = self.conduction.steady()?;
         Ok(&self.found)
+    }
+
+    fn start(&mut self, temperature: Option<f64>) -> Result<&HeatCourse, ConductionError> {
+        let values = match temperature {
+            Some(own) => vec![own; self.shell.len()],
+            None => self.conduction.steady()?.values,
+        };
+        let course = HeatCourse::new(&self.conduction, &self.capacities, &values)?;
+        self.found = course.temperatures().clone();
+        Ok(self.course.insert(course))
+    }
+
+    fn advance(&mut self, until: f64, tolerance: f64) -> Result<&HeatCourse, ConductionError> {
+        let mut course = match self.course.take() {
+            Some(course) => course,
+            None => HeatCourse::new(&self.conduction, &self.capacities, &self.found.values)?,
+        };
+        course.advance(&self.conduction, until, tolerance)?;
+        self.found = course.temperatures().clone();
+        Ok(self.course.insert(course))
     }
 }
 
@@ -87,6 +111,10 @@ impl Body for ConductingShell {
         match state {
             [own] if own.numbers.len() == self.found.values.len() => {
                 self.found.values = own.numbers.to_vec();
+                if let Some(course) = &mut self.course {
+                    course.put(&self.conduction, &own.numbers);
+                    self.found = course.temperatures().clone();
+                }
                 Ok(())
             }
             _ => Err(Mismatch),

@@ -9,7 +9,7 @@ use crate::bodies::refusal::model_error;
 use crate::bodies::sets;
 use crate::scene::error::SceneError;
 use crate::scene::scope::Scope;
-use crate::scene::{HeatScene, Layered, Material, MaterialSection, faces_count};
+use crate::scene::{Analysis, Heat, HeatScene, Layered, Material, MaterialSection, ShellScene, faces_count};
 
 /// How cells conduct, and how thick they are \[L\].
 type Conducting = (Vec<Conductor>, Vec<f64>);
@@ -25,16 +25,57 @@ impl Builder<'_> {
         let made = Conduction::new(shell.cloud, &conductors);
         let mut conduction = made.map_err(|error| refuse("heat", error.to_string()))?;
         for (i, own) in self.scene.scene.heat.iter().enumerate() {
-            self.put(own, i, &thickness, shell, &mut conduction)?;
+            let put = |conduction: &mut Conduction| self.put(own, i, &thickness, shell, conduction);
+            match own.amplitude.clone() {
+                Some(course) => conduction.in_course(course, put)?,
+                None => put(&mut conduction)?,
+            }
         }
+        let starts = matches!(self.scene.analysis, Analysis::Heat(Heat { transient: Some(run) }) if run.start.is_some());
         match conduction.untold() {
-            None => Ok(conduction),
-            Some(particle) => {
+            Some(particle) if !starts => {
                 let message = format!(
                     "nothing tells the temperature of the piece with particle {particle}, which no cell joins to the others; hold a set of it, or give it a film"
                 );
                 Err(refuse("heat", message))
             }
+            _ => Ok(conduction),
+        }
+    }
+
+    /// Heat that particles store by degree \[F L/Θ\]; nothing of materials that do not say what they store.
+    ///
+    /// # Errors
+    /// [`SceneError`] for parts whose sets are no cells.
+    pub(super) fn heat_capacities(&self, shell: Heated<'_>) -> Result<Vec<(u32, f64)>, SceneError> {
+        let scope = self.scene.body_scope();
+        let mut by_area = vec![0.0; shell.cloud.cells.len()];
+        for (number, cells) in self.owned(shell.flat, shell.cells, &scope)?.into_iter().enumerate() {
+            let (own, at) = self.part(number, &scope);
+            let by_volume = |material: &Material| material.heat_by_volume().unwrap_or_default();
+            match own.material_section(&at)? {
+                MaterialSection::Homogeneous(_, section) => {
+                    let thick = self.thicknesses(section, &at, &cells, shell.flat)?;
+                    let by_volume = by_volume(&own.material);
+                    cells.iter().zip(thick).for_each(|(&cell, t)| by_area[cell as usize] = by_volume * t);
+                }
+                MaterialSection::Layered(material, section) => {
+                    let plies = section.plies.iter();
+                    let sum = plies.map(|ply| ply.thickness.get() * by_volume(ply.material(material))).sum();
+                    cells.iter().for_each(|&cell| by_area[cell as usize] = sum);
+                }
+                _ => return Err(self.no_conductor(&at)),
+            }
+        }
+        let all = Vec::from_iter(0..shell.cloud.cells.len() as u32);
+        Ok(spread(shell.cloud, &all, |cell| by_area[cell as usize]))
+    }
+
+    /// The shell as it is in the cells that are its own, or those of a part.
+    fn part<'s>(&self, number: usize, scope: &Scope<'s>) -> (ShellScene, Scope<'s>) {
+        match number.checked_sub(1) {
+            None => (self.scene.shell.clone(), scope.clone()),
+            Some(part) => (self.scene.shell.in_part(part), scope.below(&format!("parts[{part}]"))),
         }
     }
 
@@ -102,10 +143,7 @@ impl Builder<'_> {
         let count = of.cloud.cells.len();
         let (mut all, mut thick) = (vec![Conductor::isotropic(0.0); count], vec![0.0; count]);
         for (number, cells) in self.owned(of.flat, of.cells, &scope)?.into_iter().enumerate() {
-            let (shell, at) = match number.checked_sub(1) {
-                None => (self.scene.shell.clone(), scope.clone()),
-                Some(part) => (self.scene.shell.in_part(part), scope.below(&format!("parts[{part}]"))),
-            };
+            let (shell, at) = self.part(number, &scope);
             let mut give = |cell: u32, conductor: Conductor, thickness: f64| {
                 (all[cell as usize], thick[cell as usize]) = (conductor, thickness);
             };

@@ -45,8 +45,7 @@ pub(crate) fn describe(
         bytes_per_particle: shell.bytes_per_particle(),
         rotary_inertia_over_true: scene
             .analysis
-            .kind()
-            .passes_time
+            .moves_in_time()
             .then(|| shell.turning_inertia().map(|found| found.whole))
             .flatten(),
         bodies: BTreeMap::new(),
@@ -95,10 +94,11 @@ fn lists(
         },
     ];
     modelled.extend(surface.map(|surface| surface.line.clone()));
+    let is_heat = matches!(scene.analysis, Analysis::Heat(_));
     if !scene.scene.heat.is_empty() {
-        modelled.push(
-            "heat conducted along the surface, one temperature through the thickness, in balance".into(),
-        );
+        let how = if scene.analysis.kind().passes_time && is_heat { "in time" } else { "in balance" };
+        modelled
+            .push(format!("heat conducted along the surface, one temperature through the thickness, {how}"));
     }
     let mut left_out: Vec<String> = match scene.shell.material {
         _ if scene.shell.yields() => vec!["fracture".into()],

@@ -165,15 +165,13 @@ impl Builder<'_> {
                 Ok(cells.iter().copied().zip(thicknesses).map(one).collect())
             }
             MaterialSection::Homogeneous(elastic, section)
-                if section.varies() || elastic.young_values.is_some() =>
+                if section.varies() || elastic.young_values.is_some() || elastic.by_temperature.is_some() =>
             {
                 let thickness = self.thicknesses(section, at, &cells, cloud)?;
                 let young = self.young(elastic, at, &cells, cloud)?;
                 let points = section.gauss_points.as_deref().copied();
                 let one = |(cell, (thickness, young)): (u32, (f64, f64))| {
-                    let material = isotropic(young, elastic).map_err(|e| {
-                        model_error(self.scene.source, &at.path("material.elastic"), &e.to_string())
-                    })?;
+                    let material = self.isotropic_at(young, elastic, at, cell)?;
                     let spec = SectionSpec::Isotropic(material, thickness, points);
                     let cells = vec![cell];
                     Ok(UniformPart { group: None, cells, spec, density, height: 0.0, axis, strain })

@@ -33,7 +33,14 @@ pub(super) fn check_analysis(scene: &BodyInScene<'_>) -> Verdict {
         Analysis::Harmonic(wanted) => check_harmonic(scene, wanted)?,
         Analysis::ResponseSpectrum(wanted) => check_spectrum(scene, wanted)?,
         Analysis::RandomVibration(wanted) => check_noise(scene, wanted)?,
-        Analysis::Modal(_) | Analysis::Buckling(_) | Analysis::Heat(_) => {}
+        Analysis::Heat(wanted) => {
+            if let Some(run) = &wanted.transient {
+                let at = "analysis.heat.transient";
+                scene.scope().sized(&format!("{at}.start"), run.start.unwrap_or_default())?;
+                check_records(scene, at, [run.duration.get(), run.record_every.get()])?;
+            }
+        }
+        Analysis::Modal(_) | Analysis::Buckling(_) => {}
     }
     let kind = scene.analysis.kind();
     if kind.wants_tangent {
@@ -122,12 +129,18 @@ fn check_explicit(scene: &BodyInScene<'_>, explicit: &Explicit) -> Verdict {
         if let Some(base) = &run.base {
             check_base(scene, base, run.duration.get())?;
         }
-        let (duration, every) = (run.duration.get(), run.record_every.get());
-        if every > duration || duration / every > MOST_RECORDS {
-            let bound = format!("at most the duration, and at least its {MOST_RECORDS:e}th part");
-            let repair = "a hundredth of the duration gives a smooth curve";
-            return Err(s.value("analysis.explicit.transient.record_every", every, &bound, repair));
-        }
+        let times = [run.duration.get(), run.record_every.get()];
+        check_records(scene, "analysis.explicit.transient", times)?;
+    }
+    Ok(())
+}
+
+/// Refuses rows that are none, or more than any curve has.
+fn check_records(scene: &BodyInScene<'_>, at: &str, [duration, every]: [f64; 2]) -> Verdict {
+    if every > duration || duration / every > MOST_RECORDS {
+        let bound = format!("at most the duration, and at least its {MOST_RECORDS:e}th part");
+        let repair = "a hundredth of the duration gives a smooth curve";
+        return Err(scene.scope().value(&format!("{at}.record_every"), every, &bound, repair));
     }
     Ok(())
 }

@@ -1,16 +1,21 @@
 //! Checks of heat that is conducted: what takes part, what it wants of materials, what tells the temperature.
 
+use explicit_dynamics::Amplitude;
+
+use super::amplitude::check_amplitude;
 use super::sets::check_set_name;
 use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::heat::HeatScene;
 use crate::scene::loads::Load;
+use crate::scene::output::Fields;
 use crate::scene::problem::Scene;
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::formulation::{Formulation, Reach};
 use crate::scene::shell::material::Material;
+use crate::scene::statics::HeatInTime;
 
 /// Refuses heat among bodies that are built together.
 pub(super) fn check_heat_alone(scene: &Scene) -> Verdict {
@@ -29,6 +34,8 @@ pub(super) fn check_conduction(scene: &BodyInScene<'_>) -> Verdict {
         Err(SceneError::Choice(s.fault(path, value, bound, repair)))
     };
     let analysed = matches!(scene.analysis, Analysis::Heat(_));
+    let transient = in_time(scene.analysis);
+    let starts = transient.is_some_and(|run| run.start.is_some());
     let asked = scene.loads.iter().find(|load| conducted(load));
     if !analysed && asked.is_none() {
         if heat.is_empty() {
@@ -62,14 +69,47 @@ pub(super) fn check_conduction(scene: &BodyInScene<'_>) -> Verdict {
     }
     for (i, own) in heat.iter().enumerate() {
         check_kind(scene, own, &format!("heat[{i}]"))?;
+        check_course(scene, own, &format!("heat[{i}]"))?;
     }
-    if !heat.iter().any(HeatScene::tells) {
+    if !starts && !heat.iter().any(HeatScene::tells) {
         let bound = "something that tells the temperature: any level of it would do beside heat alone";
         let repair = "hold a set by `held`, or give faces a `film` or `radiation`";
         return refuse("heat", "given heat alone", bound, repair);
     }
-    check_conductivities(shell, &scene.body_scope())?;
+    check_conductivities(shell, &scene.body_scope(), transient.is_some())?;
     if analysed { check_without_mechanics(scene, shell) } else { Ok(()) }
+}
+
+/// How temperatures go in time, where they do.
+fn in_time(analysis: &Analysis) -> Option<&HeatInTime> {
+    if let Analysis::Heat(wanted) = analysis { wanted.transient.as_ref() } else { None }
+}
+
+/// Refuses a course where temperatures have none, and one that goes below absolute zero.
+fn check_course(scene: &BodyInScene<'_>, own: &HeatScene, at: &str) -> Verdict {
+    let Some(amplitude) = &own.amplitude else { return Ok(()) };
+    let (s, path) = (&scene.scope(), format!("{at}.amplitude"));
+    if in_time(scene.analysis).is_none() {
+        let bound = "none but in [analysis.heat.transient], in which temperatures go in time";
+        let repair = "remove it, or use [analysis.heat.transient]";
+        return Err(SceneError::Choice(s.fault(&path, "a course in time", bound, repair)));
+    }
+    check_amplitude(scene, &path, amplitude)?;
+    let Some(radiation) = &own.radiation else { return Ok(()) };
+    let factors = match amplitude {
+        Amplitude::Constant => vec![1.0],
+        Amplitude::Ramp(_) | Amplitude::Smooth(_) => vec![0.0, 1.0],
+        Amplitude::Sine { .. } => vec![-1.0, 1.0],
+        Amplitude::Table(points) => points.iter().map(|point| point[1]).collect(),
+    };
+    let least =
+        factors.into_iter().map(|factor| factor * radiation.surroundings).fold(f64::INFINITY, f64::min);
+    if least < radiation.zero {
+        let bound = format!("a course that leaves them at or above absolute zero, {}", radiation.zero);
+        let repair = "let it go by a `table` whose factors times `surroundings` are temperatures";
+        return Err(s.value(&path, format!("down to {least}"), &bound, repair));
+    }
+    Ok(())
 }
 
 /// Whether a load takes conducted temperatures.
@@ -108,8 +148,8 @@ fn check_kind(scene: &BodyInScene<'_>, own: &HeatScene, at: &str) -> Verdict {
     Ok(())
 }
 
-/// Refuses materials that do not say how they conduct.
-fn check_conductivities(shell: &ShellScene, s: &Scope<'_>) -> Verdict {
+/// Refuses materials that do not say how they conduct, and of temperatures in time what they store.
+fn check_conductivities(shell: &ShellScene, s: &Scope<'_>, in_time: bool) -> Verdict {
     let parts = (0..shell.parts.len()).map(|i| (shell.in_part(i), s.below(&format!("parts[{i}]"))));
     for (own, at) in std::iter::once((shell.clone(), s.clone())).chain(parts) {
         for material in own.section.materials(&own.material) {
@@ -123,6 +163,12 @@ fn check_conductivities(shell: &ShellScene, s: &Scope<'_>) -> Verdict {
                     return Err(SceneError::Choice(at.fault(&path, "heat", bound, repair)));
                 }
             };
+            if in_time && material.heat_by_volume().is_none() {
+                let path = format!("material.{}.specific_heat", material.word());
+                let bound = "the specific heat of every material that warms in time";
+                let repair = "add it, in squares of length by time and by temperature, J/(kg K) of newtons, metres and seconds";
+                return Err(SceneError::Missing(at.fault(&path, "nothing", bound, repair)));
+            }
             if !given {
                 let path = format!("material.{}.conductivity", material.word());
                 let bound = "a conductivity of every material through which heat runs";
@@ -136,6 +182,7 @@ fn check_conductivities(shell: &ShellScene, s: &Scope<'_>) -> Verdict {
 
 /// Refuses what moves or presses, which temperatures alone do not know of.
 fn check_without_mechanics(scene: &BodyInScene<'_>, shell: &ShellScene) -> Verdict {
+    let fields = scene.output.fields;
     let found = [
         ("supports", scene.supports.is_empty()),
         ("loads", scene.loads.is_empty()),
@@ -143,8 +190,18 @@ fn check_without_mechanics(scene: &BodyInScene<'_>, shell: &ShellScene) -> Verdi
         ("tools", shell.tools.is_empty()),
         ("masses", shell.masses.is_empty()),
         ("rigid", shell.rigid.is_empty()),
+        ("velocity", shell.velocity.is_none()),
+        ("output.fields", !fields.is_some_and(Fields::shows_stresses)),
     ];
     let Some((key, _)) = found.into_iter().find(|(_, none)| !none) else { return Ok(()) };
+    if key == "output.fields" {
+        let bound = "`every` and `extruded` alone in a heat analysis, in which nothing is strained: temperatures and where heat runs are always in the files";
+        let (value, repair) = (
+            "stresses",
+            "remove them, or use [analysis.static] with a load whose `temperature` is `conducted`",
+        );
+        return Err(SceneError::Choice(scene.scope().fault(key, value, bound, repair)));
+    }
     let s = if matches!(key, "supports" | "loads") { scene.scope() } else { scene.body_scope() };
     let (value, bound) = (format!("`{key}`"), "none in a heat analysis, in which nothing moves");
     let repair = "remove it, or use [analysis.static] with a load whose `temperature` is `conducted`";

@@ -1,5 +1,6 @@
 //! Checks of changes of temperature: what is heated, and in which analyses.
 
+use super::shell::check_tabled_load;
 use crate::scene::analysis::{Analysis, Explicit};
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::curve::Measured;
@@ -65,6 +66,9 @@ pub(super) fn check_temperature(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>)
         let bound = "none of a temperature, which is there from the start of a transient run";
         let repair = "remove it, or bring the temperature up by [analysis.static]";
         return refuse(&load.at("amplitude"), "a course in time", bound, repair);
+    }
+    if let Some(temperature) = &load.temperature {
+        check_tabled_load(scene, shell, load, temperature)?;
     }
     match scene.curve.iter().find(|column| column.of == Measured::Energy) {
         None => Ok(()),

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::scene::bounded::Positive;
+use crate::scene::shell::by_temperature::ByTemperature;
 use crate::scene::shell::plastic::Plastic;
 use crate::scene::shell::rubber::Rubber;
 use crate::scene::shell::strength::FibreStrength;
@@ -42,6 +43,16 @@ impl Material {
             Self::Smeared(_) => "smeared",
             Self::File(_) => "file",
         }
+    }
+
+    /// Heat that a volume takes up by degree \[F/(L² Θ)\], where the scene gives it.
+    pub fn heat_by_volume(&self) -> Option<f64> {
+        let by_mass = match self {
+            Self::Elastic(material) => material.specific_heat,
+            Self::Orthotropic(material) => material.specific_heat,
+            _ => None,
+        };
+        by_mass.zip(self.density()).map(|(own, density)| own.get() * density)
     }
 
     /// The one strain measure that its law is written in, where it is not that of small strains.
@@ -96,6 +107,12 @@ pub struct Elastic {
     pub expansion: Option<f64>,
     /// Conductivity of a shell along which heat runs, by any unit Θ of temperature \[F/(T Θ)\].
     pub conductivity: Option<Positive>,
+    /// Heat that a mass takes up by degree, of a shell that warms in time \[L²/(T² Θ)\].
+    #[serde(rename = "specific_heat")]
+    pub specific_heat: Option<Positive>,
+    /// How its numbers go with the temperature, of a shell that is heated.
+    #[serde(rename = "by_temperature")]
+    pub by_temperature: Option<ByTemperature>,
     /// Strength of a shell that von Mises' stress is held against in reserve factors \[F/L²\], such as the yield strength; nothing yields.
     pub strength: Option<Positive>,
 }
@@ -120,6 +137,8 @@ pub struct Orthotropic {
     pub expansion: Option<[f64; 2]>,
     /// Conductivities along the fibre and across it, by any unit Θ of temperature \[F/(T Θ)\].
     pub conductivity: Option<[Positive; 2]>,
+    /// Heat that a mass takes up by degree, of a shell that warms in time \[L²/(T² Θ)\].
+    pub specific_heat: Option<Positive>,
     /// Strengths, for reserve factors of plies; nothing fails.
     pub strength: Option<FibreStrength>,
 }

@@ -1,5 +1,6 @@
 //! The shell of a scene.
 
+pub(crate) mod by_temperature;
 pub(crate) mod formulation;
 pub(crate) mod geometry;
 pub(crate) mod initial_stress;

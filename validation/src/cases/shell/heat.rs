@@ -1,4 +1,5 @@
-//! heat: plates between walls that buckle as they are heated, evenly and along one edge, two metals that bend, a fin that is cooled, against closed forms.
+//! heat: plates between walls that buckle as they are heated, evenly and along one edge, two metals that bend, a fin that is cooled, a plate
+//! that is quenched, against closed forms.
 
 use benchmarks_ref::reference;
 
@@ -10,6 +11,7 @@ const PLATE: &str = include_str!("../../../../scenes/heated-plate.toml");
 const STRIP: &str = include_str!("../../../../scenes/bimetal-strip.toml");
 const ASIDE: &str = include_str!("../../../../scenes/plate-heated-aside.toml");
 const FIN: &str = include_str!("../../../../scenes/cooled-fin.toml");
+const QUENCHED: &str = include_str!("../../../../scenes/plate-quenched.toml");
 const NAME: &str = "critical temperature";
 /// Length of the strip \[m\].
 const LENGTH: f64 = 0.2;
@@ -21,10 +23,12 @@ pub fn case() -> Case {
     let aside =
         |counts| Variant::new(STATIC, ASIDE, "plate", counts).quick().on("plate heated along one edge");
     let fin = |counts| Variant::new(STATIC, FIN, "plate", counts).quick().on("fin cooled by air");
+    let quenched =
+        |counts| Variant::new(STATIC, QUENCHED, "plate", counts).quick().on("plate between cold clamps");
     Case {
         name: "heat",
         title: "Plate and strip that are heated",
-        about: "Changes of temperature: a square plate whose hinged edges hold it in its plane buckles, and a strip of steel on brass bends. Heat that is conducted: a plate heated along one edge buckles, and a fin gives it off.",
+        about: "Changes of temperature: a square plate whose hinged edges hold it in its plane buckles, and a strip of steel on brass bends. Heat that is conducted: a plate heated along one edge buckles, a fin gives it off, and a plate is quenched in time.",
         citation: "closed forms of the theory of plates; S. Timoshenko, J. Opt. Soc. Am. 11 (1925)",
         variants: vec![
             plate([21, 21]).judged(|run, _| buckled(run, 20.0)),
@@ -35,6 +39,8 @@ pub fn case() -> Case {
             aside([41, 41]).judged(|run, _| buckled_aside(run, 40.0)),
             fin([21, 5]).judged(|run, _| cooled(run, 20.0)),
             fin([41, 5]).judged(|run, _| cooled(run, 40.0)),
+            quenched([21, 21]).judged(|run, _| cold(run, 20.0)),
+            quenched([41, 41]).judged(|run, _| cold(run, 40.0)),
         ],
         headline: Some(Headline::new(NAME, 0.5)),
         ..Case::default()
@@ -81,4 +87,19 @@ fn cooled(run: &Run, cells: f64) -> Result<Vec<Metric>, JudgeError> {
         Metric::error("temperature of the end", end, "%").within(3.0 * 0.0048 * finer, reason),
         Metric::error("heat at the root", root, "%").within(3.0 * 0.0113 * finer, reason),
     ])
+}
+
+fn cold(run: &Run, cells: f64) -> Result<Vec<Metric>, JudgeError> {
+    let table = reference("heated_shells")?;
+    let (times, found) = (run.column("time")?, run.column("middle")?);
+    let finer = (40.0 / cells).powi(2);
+    let reason = "three times what temperatures linear along a cell and heat stored at its corners leave, of second order";
+    let of = |row, time: f64, name, off: f64| {
+        let exact = table.number(row, "value")?;
+        let at = times.iter().position(|own| (own - time).abs() < 1e-9).and_then(|i| found.get(i));
+        let percent = at.map(|found| 100.0 * (found - 20.0 - exact) / 480.0);
+        Ok::<_, JudgeError>(Metric::error(name, percent, "% of the fall").within(3.0 * off * finer, reason))
+    };
+    // With 40 cells; after 60 s steps leave .0016 %.
+    Ok(vec![of(5, 20.0, "middle after 20 s", 0.056)?, of(6, 60.0, "middle after 60 s", 0.0068)?])
 }

@@ -18,7 +18,7 @@ const TURNS: f64 = 0.01;
 /// Masses at the corners of n cells a side and directors of the size of a cell turn with `1 + 3/n²` of the inertia of a thin plate in a march; what
 /// that is for the rigid motions that supports leave free is found from the cells.
 pub(super) fn scaled(look: &Look<'_>) -> Option<String> {
-    if !look.scene?.analysis.kind().passes_time {
+    if !look.scene?.analysis.moves_in_time() {
         return None;
     }
     let off = look.shell.turning_inertia()?.free? - 1.0;

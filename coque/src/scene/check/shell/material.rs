@@ -1,5 +1,6 @@
 //! Checks of material and section, and whether they go together.
 
+use super::by_temperature::{check_no_tables, check_tables};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
@@ -76,6 +77,10 @@ impl ShellScene {
             let repair = "remove it, or give [section.homogeneous]";
             return Err(SceneError::Choice(s.fault("material.elastic.young-values", value, bound, repair)));
         }
+        if !matches!(self.section, Section::Homogeneous(_)) {
+            check_no_tables(elastic, s)?;
+        }
+        check_tables(elastic, s)?;
         check_elastic_numbers(elastic, s)
     }
 

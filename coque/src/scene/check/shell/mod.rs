@@ -1,5 +1,6 @@
 //! The checks of a shell, its keys relative to where it stands in the scene; here of its shape and the places of its particles.
 
+mod by_temperature;
 mod formulation;
 mod given;
 mod initial_stress;
@@ -17,6 +18,7 @@ use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::geometry::{Geometry, Placing};
 
+pub(super) use self::by_temperature::check_tabled_load;
 pub(super) use self::own_law::check_plastic;
 pub(super) use self::parts::check_parts;
 pub(super) use self::placed::check_wetting;

@@ -18,7 +18,11 @@ impl ShellScene {
     /// Whether sections may differ from cell to cell.
     pub(crate) fn has_parts(&self) -> bool {
         let tapered = matches!(&self.section, Section::Homogeneous(section) if section.varies());
-        tapered || self.young_varies() || !self.parts.is_empty() || self.takes_from_file()
+        tapered
+            || self.young_varies()
+            || self.goes_with_temperature()
+            || !self.parts.is_empty()
+            || self.takes_from_file()
     }
 
     /// Whether material or section stand in the file of the mesh.
@@ -31,6 +35,11 @@ impl ShellScene {
         matches!(&self.material, Material::Elastic(elastic) if elastic.young_values.is_some())
     }
 
+    /// Whether numbers of its material go with the temperature.
+    fn goes_with_temperature(&self) -> bool {
+        matches!(&self.material, Material::Elastic(elastic) if elastic.by_temperature.is_some())
+    }
+
     /// Key of what makes sections differ, of the first.
     pub(super) fn key_of_parts(&self) -> &'static str {
         if !self.parts.is_empty() {
@@ -39,6 +48,8 @@ impl ShellScene {
             if self.section.thickness().is_none() { "section.file" } else { "material.file" }
         } else if self.young_varies() {
             "material.elastic.young-values"
+        } else if self.goes_with_temperature() {
+            "material.elastic.by_temperature"
         } else {
             match &self.section {
                 Section::Homogeneous(section) if section.values.is_some() => "section.homogeneous.values",

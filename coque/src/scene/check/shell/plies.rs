@@ -1,5 +1,6 @@
 //! Checks of plies: what each is made of.
 
+use super::by_temperature::check_no_tables;
 use super::material::{check_elastic_numbers, check_orthotropic};
 use super::own_law::check_plastic;
 use crate::scene::error::{SceneError, Verdict};
@@ -58,6 +59,7 @@ impl ShellScene {
 
 /// A ply is the same at all particles.
 fn check_even(elastic: &Elastic, s: &Scope<'_>) -> Verdict {
+    check_no_tables(elastic, s)?;
     if elastic.young_values.is_none() {
         return Ok(());
     }

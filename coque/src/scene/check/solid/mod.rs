@@ -30,6 +30,11 @@ impl SolidScene {
             let fault = s.fault("material.elastic.expansion", value, bound, "remove it");
             return Err(SceneError::Choice(fault));
         }
+        if self.material.elastic().is_some_and(|elastic| elastic.by_temperature.is_some()) {
+            let (value, bound) = ("numbers by temperature", "none of a solid: shells alone are heated");
+            let fault = s.fault("material.elastic.by_temperature", value, bound, "remove it");
+            return Err(SceneError::Choice(fault));
+        }
         if self.material.elastic().is_some_and(|elastic| elastic.strength.is_some()) {
             let (value, bound) = ("a strength", "none of a solid: reserve factors are those of shells");
             let repair = "remove it, and measure `von-mises` or `tresca`";
