@@ -55,7 +55,7 @@ if TYPE_CHECKING:
     Buckling = TypedDict("Buckling", {"modes": Union[int, str], "prebuckling": NotRequired["Prebuckling"], "sign": NotRequired["Sign"]})
     Coat = TypedDict("Coat", {"thickness": Union[float, str], "young": Union[float, str]})
     ColumnOfFile: TypeAlias = Union[str, int]
-    Combination = TypedDict("Combination", {"name": str, "of": Mapping[str, Union[float, str]]})
+    Combination = TypedDict("Combination", {"name": str, "of": Mapping[str, Union[float, str]], "phases": NotRequired[Mapping[str, Union[float, str]]]})
     Combination2: TypeAlias = Union[Literal['cqc'], Literal['srss'], Literal['absolute']]
     Conducted = TypedDict("Conducted", {"over": Union[float, str]})
     Contact = TypedDict("Contact", {"distance": NotRequired[Union[float, str]], "walls": NotRequired[Sequence["Wall"]]})
@@ -88,7 +88,7 @@ if TYPE_CHECKING:
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[Union[float, str]], "transient": NotRequired["Transient"]})
     FibreStrength = TypedDict("FibreStrength", {"across_compression": Union[float, str], "across_tension": Union[float, str], "along_compression": Union[float, str], "along_tension": Union[float, str], "interaction": NotRequired[Union[float, str]], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]]})
-    Fields = TypedDict("Fields", {"contact": NotRequired[bool], "every": NotRequired[Union[int, str]], "extruded": NotRequired[bool], "plies": NotRequired[bool], "points": NotRequired[bool], "principal": NotRequired[bool], "recovered": NotRequired[bool], "reserve": NotRequired["Criterion"], "stresses": NotRequired[bool]})
+    Fields = TypedDict("Fields", {"contact": NotRequired[bool], "envelope": NotRequired[bool], "every": NotRequired[Union[int, str]], "extruded": NotRequired[bool], "plies": NotRequired[bool], "points": NotRequired[bool], "principal": NotRequired[bool], "recovered": NotRequired[bool], "reserve": NotRequired["Criterion"], "stresses": NotRequired[bool]})
     FilledSurface = TypedDict("FilledSurface", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[Union[float, str]], "spacing": Union[float, str]})
     Film = TypedDict("Film", {"ambient": Union[float, str], "coefficient": Union[float, str], "faces": NotRequired["WetFaces"]})
     Fixed: TypeAlias = Mapping[str, Any]
@@ -143,7 +143,7 @@ if TYPE_CHECKING:
     Hardening_3 = TypedDict("Hardening_3", {"swift": "Swift"})
     Hardening_4 = TypedDict("Hardening_4", {"table": Sequence[Sequence[Union[float, str]]]})
     Hardening: TypeAlias = Union["Hardening_1", "Hardening_2", "Hardening_3", "Hardening_4"]
-    Harmonic = TypedDict("Harmonic", {"base": NotRequired["ShakenBase"], "damping": NotRequired["VibrationDamping"], "frequencies": "Frequencies", "modes": NotRequired[Union[int, str]]})
+    Harmonic = TypedDict("Harmonic", {"base": NotRequired["ShakenBase"], "combinations": NotRequired[Sequence["Combination"]], "damping": NotRequired["VibrationDamping"], "frequencies": "Frequencies", "modes": NotRequired[Union[int, str]]})
     Heat: TypeAlias = Mapping[str, Any]
     HeatScene = TypedDict("HeatScene", {"edge_flux": NotRequired[Union[float, str]], "film": NotRequired["Film"], "flow": NotRequired[Union[float, str]], "flux": NotRequired[Union[float, str]], "held": NotRequired[Union[float, str]], "on": str, "radiation": NotRequired["RadiationScene"]})
     Held = TypedDict("Held", {"director": NotRequired[Sequence[Sequence[Union[float, str]]]], "displacement": NotRequired[Sequence[Sequence[Union[float, str]]]]})

@@ -19,6 +19,7 @@ use crate::run::contact_watch::ContactWatch;
 use crate::run::glue_watch;
 use crate::run::outcome::{Ended, Failure, Outcome};
 use crate::run::over_time::OverTime;
+use crate::scene::Analysis;
 
 /// A run under way: a model, how far its analysis has come, and what was found so far.
 ///
@@ -124,6 +125,9 @@ impl<'a> Simulation<'a> {
         Self {
             preloads: from.is_none(),
             course: match (model.cases.take(), model.shaken.take()) {
+                (Some(scene), _) if matches!(model.task.analysis, Analysis::Harmonic(_)) => {
+                    Course::HarmonicCases(scene, model.threads)
+                }
                 (Some(cases), _) => Course::Cases(Box::new(Cases::new(*cases, model.threads))),
                 (None, Some(scene)) => Course::Shaken(scene, model.threads),
                 (None, None) => Course::new(

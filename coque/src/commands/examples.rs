@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 112] = [
+const EXAMPLES: [Example; 113] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -79,6 +79,7 @@ const EXAMPLES: [Example; 112] = [
     Example::new("hemisphere-on-flat", 3.0, include_str!("../../../scenes/hemisphere-on-flat.toml")),
     Example::new("hemisphere-yielding", 1.0, include_str!("../../../scenes/hemisphere-yielding.toml")),
     Example::new("hollow-ball", 0.5, include_str!("../../../scenes/meshes/hollow-ball.toml")),
+    Example::new("hub-turned", 0.1, include_str!("../../../scenes/meshes/hub-turned.toml")),
     Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
@@ -159,7 +160,7 @@ const EXAMPLES: [Example; 112] = [
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.
-const FILES: [(&str, &str, &str); 14] = [
+const FILES: [(&str, &str, &str); 15] = [
     (
         "balloon-inflating",
         "balloon-inflating.inp",
@@ -173,6 +174,7 @@ const FILES: [(&str, &str, &str); 14] = [
     ("flanged-bracket", "flanged-bracket.msh", include_str!("../../../scenes/meshes/flanged-bracket.msh")),
     ("hollow-ball", "hollow-ball.obj", include_str!("../../../scenes/meshes/hollow-ball.obj")),
     ("hollow-ball", "hollow-ball.py", include_str!("../../../scenes/meshes/hollow-ball.py")),
+    ("hub-turned", "hub-turned.inp", include_str!("../../../scenes/meshes/hub-turned.inp")),
     (
         "stiffened-panel-abaqus",
         "stiffened-panel-abaqus.inp",
