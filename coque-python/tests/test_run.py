@@ -105,6 +105,13 @@ def test_load_cases_have_names(scenes: Path, tmp_path: Path) -> None:
     loaded = coque.load(tmp_path / "out")
     assert loaded.cases == result.cases and loaded.summary["envelope"] == result.summary["envelope"]
     assert coque.Scene(cantilever()).run().cases == {}
+    assert result.envelope == {}
+    changes = {"geometry.plate.particles": [21, 3], "output.fields.envelope": True}
+    result = coque.Scene(scenes / "two-span-cases.toml", set=changes).run()
+    assert list(result.envelope) == ["least", "greatest", "size", "governing"] and len(result.frames) == 9 + 4
+    combined = np.array([frame["moment"] for frame in result.frames[5:9]])
+    assert np.array_equal(result.envelope["greatest"]["moment"], combined.max(axis=0))
+    assert set(np.unique(result.envelope["governing"]["moment"])) <= {6.0, 7.0, 8.0, 9.0}
 
 
 @pytest.mark.filterwarnings("ignore::coque.CoqueWarning")

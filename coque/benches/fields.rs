@@ -54,8 +54,9 @@ fn frames(c: &mut Criterion) {
                 pool.install(|| {
                     b.iter(|| {
                         // Always frame zero: the disk is not filled.
+                        let (case, envelope) = (None, None);
                         let frame =
-                            Frame { body: &shell, shown, along: 0.0, level: 1.0, time: 0.0, case: None };
+                            Frame { body: &shell, shown, along: 0.0, level: 1.0, time: 0.0, case, envelope };
                         let files = FieldFiles::create(&folder, FieldFiles::LONE, &wanted);
                         files.and_then(|mut files| files.frame(&frame)).expect("room on the disk");
                     });

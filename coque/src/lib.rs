@@ -184,7 +184,7 @@ pub use bodies::{
 };
 pub use commands::{Launched, ProcessGroup, command_line, command_line_in, launched};
 pub use explicit_dynamics::Exert;
-pub use fields::{FieldFiles, FieldSink, Frame, FrameFields, SETS, Written};
+pub use fields::{Extreme, FieldEnvelope, FieldFiles, FieldSink, Frame, FrameFields, SETS, Written};
 pub use kept::Kept;
 pub use mesh_io::{
     Array, At, Connectivity, FieldError, FieldWriter, Kind, ReadError, Rows, Sheet, Values, Whole, listed,
@@ -212,7 +212,9 @@ pub use run::over_time::OverTime;
 pub use run::progress::{Progress, ProgressReport, Silent};
 pub use run::record::{BalanceSummary, CountSummary, CriticalSummary, Energies, LevelSummary, RunRecord};
 pub use run::summary::Summary;
-pub use run::vibration_summary::{BaseSummary, ExcitedMode, NoiseSummary, SwingingMode, VibrationSummary};
+pub use run::vibration_summary::{
+    BaseSummary, CasePeak, ExcitedMode, NoiseSummary, SwingingCase, SwingingMode, VibrationSummary,
+};
 pub use scene::catalogue::{CatalogueEntry, catalogue};
 pub use scene::error::{Fault, Place, SceneError};
 pub use scene::reference::reference_page;

@@ -313,7 +313,7 @@ pub use error::EquilibriumError;
 pub use follow::follow;
 pub use geometric::Prebuckling;
 pub use harmonic::{
-    Complex, CycleEnergies, DirectResponse, HarmonicDamping, HarmonicMotion, ReducedResponse,
+    Complex, CycleEnergies, DirectResponse, EnergyForms, HarmonicDamping, HarmonicMotion, ReducedResponse,
 };
 pub use inertia::Inertia;
 pub use iterative::{ConjugateOptions, Iterated, conjugate_response};

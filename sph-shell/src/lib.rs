@@ -209,7 +209,7 @@
 //! pull with `−K_fc ċ`, from the blocks of the tangent ([`StaticShell`]). In the march a director goes along the great circle to
 //! where it must be at the end of the step, and the work of its support is counted. A
 //! [`Load`] adds rows \[f, τ\]: [`Force`], [`Gravity`], [`Pressure`] (dead or follower; on some cells [`PressurePatch`]) and [`EdgeCouple`],
-//! `τ_a = M (l_a/Σl)(e × d_a)`, whose work is M δθ for a turn δθ about e, l_a the tributary length of particle a.
+//! `τ_a = M (l_a/Σl)(e × d_a)`, whose work is M δθ for a turn δθ about e, l_a the tributary length of particle a; [`DrillingCouple`] also has the part along d.
 //!
 //! Loads that follow the shell have a stiffness, [`Load::stiffness`]; the tangent of statics is `∂²U/∂q² − sym ∂f/∂q`. With
 //! u, v the diagonals of a cell of n corners, each of which bears `f = p (u × v)/2n`, and `τ = m (e × d)`, `e = u/|u|`:
@@ -342,7 +342,7 @@ pub use builder::{Parts, ShellBuilder};
 pub use conditions::body::{Block, Body, place_block};
 pub use conditions::case::LoadCase;
 pub use conditions::cavity::{Content, Enclosed, Volumes};
-pub use conditions::couple::{CoupleAxis, EdgeCouple};
+pub use conditions::couple::{CoupleAxis, DrillingCouple, EdgeCouple};
 pub use conditions::loads::{AddLoad, AppliedLoad, Force, Gravity, Load, LoadOnShare};
 pub use conditions::own_contact::OwnContact;
 pub use conditions::preload::Preloaded;

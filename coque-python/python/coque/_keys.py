@@ -56,7 +56,7 @@ if TYPE_CHECKING:
     ByTemperature = TypedDict("ByTemperature", {"expansion": NotRequired[Sequence[Sequence[Union[float, str]]]], "poisson": NotRequired[Sequence[Sequence[Union[float, str]]]], "reference": Union[float, str], "young": NotRequired[Sequence[Sequence[Union[float, str]]]]})
     Coat = TypedDict("Coat", {"thickness": Union[float, str], "young": Union[float, str]})
     ColumnOfFile: TypeAlias = Union[str, int]
-    Combination = TypedDict("Combination", {"name": str, "of": Mapping[str, Union[float, str]]})
+    Combination = TypedDict("Combination", {"name": str, "of": Mapping[str, Union[float, str]], "phases": NotRequired[Mapping[str, Union[float, str]]]})
     Combination2: TypeAlias = Union[Literal['cqc'], Literal['srss'], Literal['absolute']]
     Conducted = TypedDict("Conducted", {"over": Union[float, str]})
     Contact = TypedDict("Contact", {"distance": NotRequired[Union[float, str]], "walls": NotRequired[Sequence["Wall"]]})
@@ -89,7 +89,7 @@ if TYPE_CHECKING:
     ErrorProbe: TypeAlias = Union[Literal['step'], Literal['rest'], Literal['arc'], Literal['records'], Literal['horizon'], Literal['support'], Literal['sound-speed'], Literal['smoothing']]
     Explicit = TypedDict("Explicit", {"quasi-static": NotRequired["QuasiStatic"], "safety": NotRequired[Union[float, str]], "transient": NotRequired["Transient"]})
     FibreStrength = TypedDict("FibreStrength", {"across_compression": Union[float, str], "across_tension": Union[float, str], "along_compression": Union[float, str], "along_tension": Union[float, str], "interaction": NotRequired[Union[float, str]], "shear": Union[float, str], "shear_across": NotRequired[Union[float, str]]})
-    Fields = TypedDict("Fields", {"contact": NotRequired[bool], "every": NotRequired[Union[int, str]], "extruded": NotRequired[bool], "plies": NotRequired[bool], "points": NotRequired[bool], "principal": NotRequired[bool], "recovered": NotRequired[bool], "reserve": NotRequired["Criterion"], "stresses": NotRequired[bool]})
+    Fields = TypedDict("Fields", {"contact": NotRequired[bool], "envelope": NotRequired[bool], "every": NotRequired[Union[int, str]], "extruded": NotRequired[bool], "plies": NotRequired[bool], "points": NotRequired[bool], "principal": NotRequired[bool], "recovered": NotRequired[bool], "reserve": NotRequired["Criterion"], "stresses": NotRequired[bool]})
     FilledSurface = TypedDict("FilledSurface", {"file": str, "flip": NotRequired[bool], "scale": NotRequired[Union[float, str]], "spacing": Union[float, str]})
     Film = TypedDict("Film", {"ambient": Union[float, str], "coefficient": Union[float, str], "faces": NotRequired["WetFaces"]})
     Fixed: TypeAlias = Mapping[str, Any]

@@ -202,6 +202,14 @@ class Result:
         found = zip(self.summary.get("cases", []), self.curve.rows)
         return {case["name"]: dict(zip(self.curve.names, map(float, row))) for case, row in found}
 
+    @property
+    def envelope(self) -> dict[str, Frame]:
+        """Of a scene with load cases and `output.fields.envelope` the frames with the `least` and the `greatest` number of each field, the greatest `size`, and
+        the number of the case that is `governing`: `result.envelope["greatest"]["moment"]`; empty of others."""
+        cases = len(self.summary.get("cases", []))
+        behind = [frame for frame in self.frames if cases and frame.along > cases]
+        return dict(zip(("least", "greatest", "size", "governing"), behind))
+
     def view(self, *, height: int = 560, size: float = 30.0) -> _view.View:
         """The run as a page, which a notebook shows: shapes that turn, fields, frames, the curve. `size` bounds it, in megabytes: a page
         that would be larger has fewer frames, then fewer fields, and says so."""

@@ -13,6 +13,7 @@ use implicit_statics::{EquilibriumError, Newton, NewtonOptions};
 
 use super::linear::{Answer, INTERRUPTED, Way, read, solved, warning_stability};
 use crate::bodies::{Ready, StaticBody};
+use crate::fields::CaseShown;
 use crate::run::Run;
 use crate::run::cases_summary::{CaseSummary, CasesSummary};
 use crate::run::outcome::{Ended, Failure};
@@ -73,7 +74,14 @@ impl Cases {
         self.made += 1;
         self.record(&set, &answer, run);
         answer.warn(Some(&set.name), body.as_ref(), run);
-        answer.show(&motion, self.made as f64, Some(&set.name), body.as_mut(), run);
+        let counts = set.combines == self.sets.iter().any(|set| set.combines);
+        let shown = CaseShown { number: self.made as f64, name: &set.name, counts };
+        answer.show(&motion, Some(shown), body.as_mut(), run);
+        if self.made == self.sets.len()
+            && let Some(frames) = &mut run.frames
+        {
+            frames.offer_envelope(body.as_ref(), self.made);
+        }
         let failed = run.frames.as_ref().is_some_and(|frames| frames.failure.is_some());
         if failed || self.made == self.sets.len() {
             return ControlFlow::Break(Ended::Done);

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use explicit_dynamics::Instant;
 
 use super::cases::Cases;
+use super::harmonic_cases::harmonic_cases;
 use super::heat::HeatingInTime;
 use super::march::Marching;
 use super::one_solve::OneSolveLevels;
@@ -36,6 +37,8 @@ pub(super) enum Course {
     /// Modes in still water.
     WetModes(Modal, Box<InStillWater>),
     Harmonic(Harmonic),
+    /// The same under load cases, of a scene, on so many threads.
+    HarmonicCases(Box<Checked>, usize),
     /// By response spectra or noise: of a scene whose bases shake it one by one, on so many threads.
     Shaken(Box<Checked>, usize),
     /// The same without a scene.
@@ -108,6 +111,10 @@ impl Course {
             (Self::Harmonic(wanted), Ready::Static(body)) => {
                 ControlFlow::Break(harmonic::harmonic(wanted, body.as_mut(), run))
             }
+            (Self::HarmonicCases(scene, threads), Ready::Static(body)) => {
+                let Analysis::Harmonic(wanted) = analysis else { return ControlFlow::Break(Ended::Done) };
+                ControlFlow::Break(harmonic_cases((scene, *threads), wanted, body.as_mut(), run))
+            }
             (Self::Shaken(scene, threads), Ready::Static(body)) => ControlFlow::Break(match analysis {
                 Analysis::ResponseSpectrum(wanted) => {
                     response_spectrum::response_spectrum(scene, wanted, *threads, body.as_mut(), run)
@@ -154,6 +161,7 @@ impl Course {
             | Self::Modal(_)
             | Self::WetModes(..)
             | Self::Harmonic(_)
+            | Self::HarmonicCases(..)
             | Self::Shaken(..)
             | Self::Unshaken
             | Self::Buckling(_)

@@ -72,7 +72,8 @@ pub(crate) fn harmonic(wanted: &Harmonic, system: &mut dyn StaticBody, run: &mut
     Ended::Done
 }
 
-fn interrupted(level: f64) -> Ended {
+/// How a run ends that was asked to at a frequency.
+pub(super) fn interrupted(level: f64) -> Ended {
     Ended::Interrupted { time: 0.0, level }
 }
 

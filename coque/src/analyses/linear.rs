@@ -9,6 +9,7 @@ use super::modes::{keep_enlarged, scaled};
 use super::path::loaded;
 use crate::WarningKind;
 use crate::bodies::{Configuration, Probe, Resultant, StaticBody, extent};
+use crate::fields::CaseShown;
 use crate::run::Run;
 use crate::run::glue_watch;
 use crate::run::outcome::Ended;
@@ -55,7 +56,7 @@ pub(crate) fn linear(wanted: &Linear, system: &mut dyn StaticBody, run: &mut Run
     run.push(row);
     run.record.energies = Energies::at_rest(answer.internal);
     run.record.newton_iterations = 1;
-    answer.show(&motion, 1.0, None, system, run);
+    answer.show(&motion, None, system, run);
     Ended::Done
 }
 
@@ -143,21 +144,21 @@ impl Answer {
         warning_size(to, system, &self.there, self.largest, run);
     }
 
-    /// Keeps the shape, and offers the frame of a motion, of a load case by its number and name.
+    /// Keeps the shape, and offers the frame of a motion, of a load case where there are some.
     pub fn show(
         &self,
         motion: &[f64],
-        number: f64,
-        name: Option<&str>,
+        case: Option<CaseShown<'_>>,
         system: &mut dyn StaticBody,
         run: &mut Run<'_>,
     ) {
+        let number = case.as_ref().map_or(1.0, |case| case.number);
         keep_enlarged(system.configuration().rest, &self.there, number, run);
         let level = loaded(run, 1.0);
         if let Some(frames) = &mut run.frames {
             let rest = system.save();
             moved(system, &rest, motion, level);
-            frames.offer_linear(system, &self.forces, name.map(|name| (number, name)));
+            frames.offer_linear(system, &self.forces, case);
             system.restore(&rest);
         }
     }

@@ -8,6 +8,7 @@ mod criticality;
 mod estimate;
 mod frozen;
 mod harmonic;
+mod harmonic_cases;
 mod heat;
 mod linear;
 mod march;

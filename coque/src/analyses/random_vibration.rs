@@ -29,7 +29,8 @@ pub(super) fn random_vibration(
     let damping = wanted.damping.damped();
     let bases = wanted.base.iter().map(|base| base.acceleration).collect();
     let loads = wanted.loads.is_some();
-    let sought = Wanted { modes: wanted.modes.get(), damping, bases, loads, scene, threads };
+    let (modes, sets) = (wanted.modes.get(), Vec::new());
+    let sought = Wanted { modes, damping, bases, sets, loads, scene, threads };
     let found = match ShakenModes::find(&sought, system, run) {
         Ok(found) => found,
         Err(ended) => return *ended,
@@ -61,9 +62,9 @@ pub(super) fn random_vibration(
         root_mean_square: square.sqrt(),
         crossings: (square > 0.0).then(|| (of_rate / square).sqrt() / TAU),
     });
-    let noise_summary = summed.collect();
-    let summary =
-        VibrationSummary { modes: found.modes(damping), bases: found.bases(run), noise: noise_summary };
+    let of_noise = summed.collect();
+    let (modes, bases) = (found.modes(damping), found.bases(run));
+    let summary = VibrationSummary { modes, bases, noise: of_noise, cases: Vec::new() };
     run.vibration = Some(summary);
     let circular: Vec<f64> = frequencies.iter().map(|frequency| TAU * frequency).collect();
     Warnings { frequencies: &circular, damping, natural: Some(&found.natural), below: &[] }.say(run);

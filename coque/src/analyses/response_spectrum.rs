@@ -29,15 +29,16 @@ pub(super) fn response_spectrum(
     }
     let damping = wanted.damping.damped();
     let bases = wanted.base.iter().map(|base| base.acceleration).collect();
-    let sought = Wanted { modes: wanted.modes.get(), damping, bases, loads: false, scene, threads };
+    let (modes, sets, loads) = (wanted.modes.get(), Vec::new(), false);
+    let sought = Wanted { modes, damping, bases, sets, loads, scene, threads };
     let found = match ShakenModes::find(&sought, system, run) {
         Ok(found) => found,
         Err(ended) => return *ended,
     };
     let swings = found.swings(damping);
     let together = ModesTogether::new(wanted.combination, &swings);
-    let mut summary =
-        VibrationSummary { modes: found.modes(damping), bases: found.bases(run), noise: Vec::new() };
+    let (modes, bases) = (found.modes(damping), found.bases(run));
+    let mut summary = VibrationSummary { modes, bases, ..VibrationSummary::default() };
     let mut answers: Vec<Answer> = Vec::new();
     for (number, (source, base)) in found.sources.iter().zip(&wanted.base).enumerate() {
         let spectrum = base.spectrum();

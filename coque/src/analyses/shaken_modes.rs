@@ -13,7 +13,7 @@ use crate::bodies::{Ready, StaticBody};
 use crate::run::Run;
 use crate::run::outcome::{Ended, Failure};
 use crate::run::vibration_summary::{BaseSummary, ExcitedMode, SwingingMode};
-use crate::scene::Checked;
+use crate::scene::{Checked, LoadSet};
 
 /// Part of the mass that modes should move: what codes of practice ask for.
 const ENOUGH: f64 = 0.9;
@@ -37,6 +37,8 @@ pub(super) struct Source {
     pub rest: Option<Slopes>,
     /// The acceleration that level one is; none of loads.
     pub shakes: Option<Shaking>,
+    /// The load, of a load case; empty of others.
+    pub load: Vec<f64>,
 }
 
 /// A base that shakes.
@@ -82,6 +84,8 @@ pub(super) struct Wanted<'a> {
     pub damping: HarmonicDamping,
     /// Accelerations of the bases, in the axes of the body.
     pub bases: Vec<[f64; 3]>,
+    /// Load cases and combinations of them in one phase, a source each behind the bases.
+    pub sets: Vec<LoadSet>,
     /// Whether the loads of the scene are the last source.
     pub loads: bool,
     pub scene: &'a Checked,
@@ -106,22 +110,22 @@ impl ShakenModes {
         let mut all = Self { reader, slopes, natural, sources: Vec::new() };
         let state = system.save();
         for (number, &acceleration) in wanted.bases.iter().enumerate() {
-            let failed = |cause: String| {
-                let name = format!("base {}", number + 1);
-                Box::new(Ended::Diverged(Failure::Case { name, cause }))
-            };
-            let model = wanted
-                .scene
-                .shaken_by(number)
-                .build(wanted.threads)
-                .map_err(|error| failed(error.to_string()))?;
-            let Ready::Static(mut body) = model.body else { return Err(failed("it marches".into())) };
+            let name = format!("base {}", number + 1);
+            let mut body = built(&wanted.scene.shaken_by(number), wanted.threads, &name)?;
             body.restore(&state);
             let mut source = all.source(body.as_mut(), (&modes, shift), wanted.damping, run)?;
             let vector = Vec3::from(acceleration);
             source.driver.base = vector;
             source.driver.acceleration_in_space = true;
             source.shakes = Some(Shaking::of(&vector, body.as_mut(), &source.reduced, &modes));
+            all.sources.push(source);
+        }
+        for set in &wanted.sets {
+            let mut body = built(&wanted.scene.under(set), wanted.threads, &set.name)?;
+            body.restore(&state);
+            let mut source = all.source(body.as_mut(), (&modes, shift), wanted.damping, run)?;
+            source.load = vec![0.0; body.unknowns()];
+            body.load_rate(0.0, &mut source.load);
             all.sources.push(source);
         }
         if wanted.loads {
@@ -143,7 +147,7 @@ impl ShakenModes {
             .map_err(|cause| Box::new(run.unbalanced(0, 0.0, cause)))?;
         let driver = self.reader.driver(system, run);
         let rest = reduced.shapes().nth(modes.len()).map(|shape| self.reader.slopes(shape, system, run));
-        Ok(Source { reduced, driver, rest, shakes: None })
+        Ok(Source { reduced, driver, rest, shakes: None, load: Vec::new() })
     }
 
     /// Circular frequency \[1/T\] and part of the critical damping \[–\] of each mode; zeros of one that is not stable.
@@ -188,6 +192,19 @@ impl ShakenModes {
             all.push(BaseSummary { direction, mass, share, ground: None, modes, missing_mass: Vec::new() });
         }
         all
+    }
+}
+
+/// The body of a scene under one of what excites it, by its name.
+///
+/// # Errors
+/// How the run ends where it cannot be built.
+pub(super) fn built(scene: &Checked, threads: usize, name: &str) -> Result<Box<dyn StaticBody>, Box<Ended>> {
+    let failed = |cause: String| Box::new(Ended::Diverged(Failure::Case { name: name.to_string(), cause }));
+    let model = scene.build(threads).map_err(|error| failed(error.to_string()))?;
+    match model.body {
+        Ready::Static(body) => Ok(body),
+        _ => Err(failed("it marches".into())),
     }
 }
 

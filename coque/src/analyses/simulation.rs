@@ -126,6 +126,7 @@ impl<'a> Simulation<'a> {
         Self {
             preloads: from.is_none(),
             course: match (model.cases.take(), model.shaken.take(), &model.task.analysis) {
+                (Some(scene), _, Analysis::Harmonic(_)) => Course::HarmonicCases(scene, model.threads),
                 (Some(cases), ..) => Course::Cases(Box::new(Cases::new(*cases, model.threads))),
                 (None, Some(scene), _) => Course::Shaken(scene, model.threads),
                 (None, None, &Analysis::Modal(wanted)) if model.water.is_some() => {

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 118] = [
+const EXAMPLES: [Example; 119] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -86,6 +86,7 @@ const EXAMPLES: [Example; 118] = [
         5.0,
         include_str!("../../../scenes/meshes/hollow-ball-galerkin.toml"),
     ),
+    Example::new("hub-turned", 0.1, include_str!("../../../scenes/meshes/hub-turned.toml")),
     Example::new("incline", 2.0, include_str!("../../../scenes/incline.toml")),
     Example::new("joined-cantilevers", 0.1, include_str!("../../../scenes/joined-cantilevers.toml")),
     Example::new("kalthoff", 5.0, include_str!("../../../scenes/kalthoff.toml")),
@@ -169,7 +170,7 @@ const EXAMPLES: [Example; 118] = [
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.
-const FILES: [(&str, &str, &str); 17] = [
+const FILES: [(&str, &str, &str); 19] = [
     (
         "balloon-inflating",
         "balloon-inflating.inp",
@@ -185,6 +186,7 @@ const FILES: [(&str, &str, &str); 17] = [
     ("hollow-ball-galerkin", "hollow-ball.obj", include_str!("../../../scenes/meshes/hollow-ball.obj")),
     ("hollow-ball-galerkin", "hollow-ball.py", include_str!("../../../scenes/meshes/hollow-ball.py")),
     ("hollow-ball", "hollow-ball.py", include_str!("../../../scenes/meshes/hollow-ball.py")),
+    ("hub-turned", "hub-turned.inp", include_str!("../../../scenes/meshes/hub-turned.inp")),
     (
         "stiffened-panel-abaqus",
         "stiffened-panel-abaqus.inp",

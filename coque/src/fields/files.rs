@@ -179,7 +179,7 @@ fn further(wanted: &Fields, body: &Written<'_>, others: [(Part, Series); 3]) -> 
 
 impl FieldSink for FieldFiles {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), FieldError> {
-        let (along, case) = (frame.along, frame.case);
+        let (along, case, enveloped) = (frame.along, frame.case, frame.envelope.is_some());
         let several = !frame.body.bodies().is_empty();
         for (number, (surface, further)) in self.bodies.iter_mut().enumerate() {
             let fields = match several {
@@ -188,7 +188,9 @@ impl FieldSink for FieldFiles {
             };
             let mut surface = || surface.add_named(along, case, |to| fields.write(Part::Surface, to));
             let mut further = || {
-                further
+                // An envelope is of the surface alone.
+                let wanted = if enveloped { &mut [] } else { &mut further[..] };
+                wanted
                     .iter_mut()
                     .try_for_each(|(part, own)| own.add_named(along, case, |to| fields.write(*part, to)))
             };

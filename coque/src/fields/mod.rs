@@ -9,9 +9,11 @@
 //! |---|---|
 //! | which frame goes to the sink | `fields/mod.rs` |
 //! | the files of a body | `fields/files.rs` |
+//! | least and greatest over load cases | `fields/envelope.rs` |
 //! | what a shell shows | `bodies/shell/fields.rs` |
 //! | the file format, the list of frames, frames read back | the crate `mesh-io` |
 
+mod envelope;
 mod files;
 
 use std::io;
@@ -20,6 +22,7 @@ use std::ops::ControlFlow;
 use explicit_dynamics::Instant;
 use mesh_io::{At, FieldError, FieldWriter, Sheet, Values, rows};
 
+pub use envelope::{Extreme, FieldEnvelope};
 pub use files::{FieldFiles, SETS, Written};
 
 use crate::bodies::{Body, FieldRequest, FieldSource, Part, State, StressFields, Task};
@@ -52,6 +55,8 @@ pub struct Frame<'a> {
     pub time: f64,
     /// Name of the load case or combination that it shows, where there are some.
     pub case: Option<&'a str>,
+    /// What it shows in place of the fields of the body: an extreme of them over load cases.
+    pub envelope: Option<(&'a FieldEnvelope, Extreme)>,
 }
 
 impl<'a> Frame<'a> {
@@ -71,18 +76,24 @@ impl<'a> Frame<'a> {
             forces: None,
         };
         let along = if task.analysis.kind().passes_time { time } else { level };
-        Self { body, shown, along, level, time, case: None }
+        Self { body, shown, along, level, time, case: None, envelope: None }
     }
 
     /// Works out what the frame shows, once for all its parts.
     pub fn evaluate(&self, stresses: bool) -> FrameFields<'a> {
-        let fields = self.body.fields(&FieldRequest { stresses, ..self.shown });
+        let fields = match self.envelope {
+            Some((envelope, extreme)) => envelope.of_body(0, extreme),
+            None => self.body.fields(&FieldRequest { stresses, ..self.shown }),
+        };
         FrameFields { along: self.along, level: self.level, time: self.time, fields }
     }
 
     /// The same for one of the bodies that the body is made of ([`Body::bodies`]).
     pub fn evaluate_one(&self, body: usize, stresses: bool) -> FrameFields<'a> {
-        let fields = self.body.fields_of(body, &FieldRequest { stresses, ..self.shown });
+        let fields = match self.envelope {
+            Some((envelope, extreme)) => envelope.of_body(body, extreme),
+            None => self.body.fields_of(body, &FieldRequest { stresses, ..self.shown }),
+        };
         FrameFields { along: self.along, level: self.level, time: self.time, fields }
     }
 
@@ -91,6 +102,12 @@ impl<'a> Frame<'a> {
     /// # Errors
     /// [`FieldError`] for a body that writes its fields out of their order; none is known.
     pub fn sheet(&self, stresses: bool) -> Result<Sheet, FieldError> {
+        self.sheets(stresses)
+            .map(|mut sheets| if sheets.len() == 1 { sheets.remove(0) } else { together(sheets) })
+    }
+
+    /// The same of each body by itself.
+    fn sheets(&self, stresses: bool) -> Result<Vec<Sheet>, FieldError> {
         let drawn = |fields: FrameFields<'_>| {
             let mut sheet = Sheet::default();
             let written = fields.write(Part::Surface, &mut sheet);
@@ -98,11 +115,8 @@ impl<'a> Frame<'a> {
             Ok(sheet)
         };
         match self.body.bodies().len() {
-            0 => drawn(self.evaluate(stresses)),
-            bodies => {
-                let sheets = (0..bodies).map(|body| drawn(self.evaluate_one(body, stresses)));
-                sheets.collect::<Result<_, _>>().map(together)
-            }
+            0 => Ok(vec![drawn(self.evaluate(stresses))?]),
+            bodies => (0..bodies).map(|body| drawn(self.evaluate_one(body, stresses))).collect(),
         }
     }
 }
@@ -142,6 +156,9 @@ pub(crate) struct Frames<'a> {
     contact: bool,
     /// What else of stresses they show.
     of_stresses: StressFields,
+    /// Least and greatest over load cases, where they are wanted; and whether stresses are in them.
+    envelope: Option<FieldEnvelope>,
+    stresses: bool,
     /// Frames that the run had to show so far.
     pub(crate) offered: u64,
     /// Frames that the sink took.
@@ -184,6 +201,9 @@ impl<'a> Frames<'a> {
         let units = task.units;
         let contact = task.output.fields.is_some_and(|fields| fields.contact);
         let of_stresses = StressFields::asked(&task.output);
+        let wanted = task.output.fields;
+        let envelope = wanted.is_some_and(|fields| fields.envelope).then(FieldEnvelope::default);
+        let stresses = wanted.is_some_and(|fields| fields.stresses);
         let (offered, taken, failure) = (0, 0, None);
         Self {
             sink,
@@ -195,6 +215,8 @@ impl<'a> Frames<'a> {
             indicator,
             contact,
             of_stresses,
+            envelope,
+            stresses,
             offered,
             taken,
             failure,
@@ -206,10 +228,36 @@ impl<'a> Frames<'a> {
         self.offer_with(body, [time, level], None, None)
     }
 
-    /// The same for a linear answer, to a load case by its number and name where there are some. A frame that could not be taken is reported by the
-    /// failure.
-    pub(crate) fn offer_linear(&mut self, body: &dyn Body, forces: &[f64], case: Option<(f64, &str)>) {
+    /// The same for a linear answer, to a load case where there are some. A frame that could not be taken is reported by the failure.
+    pub(crate) fn offer_linear(&mut self, body: &dyn Body, forces: &[f64], case: Option<CaseShown<'_>>) {
         let _ = self.offer_with(body, [0.0, 1.0], Some(forces), case);
+    }
+
+    /// Hands on what was least and greatest over load cases, where that is wanted, behind so many of them.
+    pub(crate) fn offer_envelope(&mut self, body: &dyn Body, cases: usize) {
+        let Some(envelope) = self.envelope.take() else { return };
+        for (k, extreme) in Extreme::ALL.into_iter().enumerate() {
+            let shown = self.shown(None);
+            let along = (cases + 1 + k) as f64;
+            let (case, envelope) = (Some(extreme.word()), Some((&envelope, extreme)));
+            self.offered += 1;
+            self.hand_on(&Frame { body, shown, along, level: 1.0, time: 0.0, case, envelope });
+        }
+    }
+
+    /// What is asked of the fields of a frame.
+    fn shown<'b>(&self, forces: Option<&'b [f64]>) -> FieldRequest<'b> {
+        let Self { state, driven, units, indicator, contact, of_stresses, .. } = *self;
+        FieldRequest { state, units, stresses: false, indicator, contact, of_stresses, driven, forces }
+    }
+
+    fn hand_on(&mut self, frame: &Frame<'_>) {
+        if self.failure.is_none() {
+            match self.sink.frame(frame) {
+                Ok(()) => self.taken += 1,
+                Err(error) => self.failure = Some(error),
+            }
+        }
     }
 
     fn offer_with(
@@ -217,28 +265,38 @@ impl<'a> Frames<'a> {
         body: &dyn Body,
         [time, level]: [f64; 2],
         forces: Option<&[f64]>,
-        case: Option<(f64, &str)>,
+        case: Option<CaseShown<'_>>,
     ) -> ControlFlow<()> {
         let number = self.offered;
-        let wanted = self.failure.is_none() && number.is_multiple_of(self.every);
+        let wanted = number.is_multiple_of(self.every);
         self.offered += 1;
-        if wanted {
-            let along = match (case, self.along) {
-                (Some((case, _)), _) => case,
-                (None, Along::Time) => time,
-                (None, Along::Level) => level,
-                (None, Along::Number(first)) => (first + number) as f64,
-            };
-            let Self { state, driven, units, indicator, contact, of_stresses, .. } = *self;
-            let stresses = false;
-            let shown =
-                FieldRequest { state, units, stresses, indicator, contact, of_stresses, driven, forces };
-            let frame = Frame { body, shown, along, level, time, case: case.map(|(_, name)| name) };
-            match self.sink.frame(&frame) {
-                Ok(()) => self.taken += 1,
+        let along = match (&case, self.along) {
+            (Some(case), _) => case.number,
+            (None, Along::Time) => time,
+            (None, Along::Level) => level,
+            (None, Along::Number(first)) => (first + number) as f64,
+        };
+        let (shown, name) = (self.shown(forces), case.as_ref().map(|case| case.name));
+        let frame = Frame { body, shown, along, level, time, case: name, envelope: None };
+        if let (Some(envelope), true) = (&mut self.envelope, case.is_some_and(|case| case.counts)) {
+            match frame.sheets(self.stresses) {
+                Ok(sheets) => envelope.take(along, sheets),
                 Err(error) => self.failure = Some(error),
             }
         }
+        if wanted {
+            self.hand_on(&frame);
+        }
         if self.failure.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
+}
+
+/// A load case or combination that a frame shows.
+pub(crate) struct CaseShown<'a> {
+    /// Its number, from 1.
+    pub number: f64,
+    /// Its name.
+    pub name: &'a str,
+    /// Whether it counts in envelopes.
+    pub counts: bool,
 }

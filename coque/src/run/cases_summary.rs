@@ -120,7 +120,7 @@ mod tests {
     use super::*;
 
     fn set(name: &str, combines: bool) -> LoadSet {
-        LoadSet { name: name.into(), combines, of: [("a".to_string(), 1.0)].into() }
+        LoadSet { name: name.into(), combines, of: [("a".to_string(), 1.0)].into(), phases: [].into() }
     }
 
     /// Interrupted before the first combination there is nothing to be least or greatest.

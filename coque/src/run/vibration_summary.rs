@@ -1,8 +1,10 @@
-//! What answers to response spectra and to noise consist of: modes, what each base excites of them, how strong each column is under noise.
+//! What answers to response spectra, to noise and to load cases that vibrate consist of: modes, what each base excites of them, how strong each column is
+//! under noise, where it is greatest in each case.
 
 use serde::Serialize;
 
 use crate::results::curve::Column;
+use crate::scene::LoadSet;
 
 /// Modes, bases, noise.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -14,6 +16,9 @@ pub struct VibrationSummary {
     /// Each column under noise; empty where there is none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub noise: Vec<NoiseSummary>,
+    /// Load cases and combinations in steady vibration, in the order of their numbers in the curve; empty where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub cases: Vec<SwingingCase>,
 }
 
 impl VibrationSummary {
@@ -42,8 +47,38 @@ impl VibrationSummary {
             )
         };
         let bases = self.bases.iter().enumerate().filter(|(_, base)| base.mass > 0.0).map(of_base);
-        bases.chain(self.noise.iter().map(of_noise)).collect()
+        let of_case = |own: &SwingingCase| {
+            let peak = |own: &CasePeak| {
+                let CasePeak { column, amplitude, frequency } = own;
+                format!("{} {amplitude:.4e} {} at {frequency:.4e}", column.name, column.unit)
+            };
+            let peaks: Vec<String> = own.peaks.iter().map(peak).collect();
+            format!("{}: greatest {}", own.set.name, peaks.join(", "))
+        };
+        bases.chain(self.noise.iter().map(of_noise)).chain(self.cases.iter().map(of_case)).collect()
     }
+}
+
+/// A load case or a combination that vibrates.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SwingingCase {
+    /// Which it is.
+    #[serde(flatten)]
+    pub set: LoadSet,
+    /// Each measured column where its amplitude is greatest.
+    pub peaks: Vec<CasePeak>,
+}
+
+/// The greatest amplitude of a column over the frequencies asked for.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CasePeak {
+    /// The column.
+    #[serde(flatten)]
+    pub column: Column,
+    /// Its amplitude.
+    pub amplitude: f64,
+    /// Where it is met \[1/T\].
+    pub frequency: f64,
 }
 
 /// A mode.

@@ -23,6 +23,24 @@ pub struct LoadSet {
     pub combines: bool,
     /// Factor of each case that acts, by its name \[–\].
     pub of: BTreeMap<String, f64>,
+    /// By how much some are ahead of the others, of steady vibration \[degrees\].
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub phases: BTreeMap<String, f64>,
+}
+
+impl LoadSet {
+    /// What goes as the cosine, and where there are phases what goes as its negative sine: `f cos φ` and `f sin φ` of each case.
+    pub(crate) fn by_phase(&self) -> Vec<Self> {
+        if self.phases.is_empty() {
+            return vec![self.clone()];
+        }
+        let part = |of: fn(f64) -> f64| {
+            let phase = |case: &str| self.phases.get(case).map_or(0.0, |phase| phase.to_radians());
+            let of = self.of.iter().map(|(case, factor)| (case.clone(), factor * of(phase(case))));
+            Self { of: of.collect(), phases: BTreeMap::new(), ..self.clone() }
+        };
+        vec![part(libm::cos), part(libm::sin)]
+    }
 }
 
 impl Scene {
@@ -47,15 +65,23 @@ impl Scene {
 
     /// Combinations of load cases, as the scene has them.
     pub fn combinations(&self) -> &[Combination] {
-        if let Analysis::Linear(wanted) = &self.analysis { &wanted.combinations } else { &[] }
+        match &self.analysis {
+            Analysis::Linear(wanted) => &wanted.combinations,
+            Analysis::Harmonic(wanted) => &wanted.combinations,
+            _ => &[],
+        }
     }
 
     /// Load cases, then combinations: an answer each. Empty in a scene without cases.
     pub fn load_sets(&self) -> Vec<LoadSet> {
-        let case =
-            |name: &str| LoadSet { name: name.into(), combines: false, of: [(name.to_string(), 1.0)].into() };
-        let combined =
-            |own: &Combination| LoadSet { name: own.name.clone(), combines: true, of: own.of.clone() };
+        let case = |name: &str| {
+            let (name, of) = (name.to_string(), [(name.to_string(), 1.0)].into());
+            LoadSet { name, combines: false, of, phases: BTreeMap::new() }
+        };
+        let combined = |own: &Combination| {
+            let (name, of, phases) = (own.name.clone(), own.of.clone(), own.phases.clone());
+            LoadSet { name, combines: true, of, phases }
+        };
         let cases = self.cases().into_iter().map(case);
         cases.chain(self.combinations().iter().map(combined)).collect()
     }

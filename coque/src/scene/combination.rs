@@ -13,4 +13,7 @@ pub struct Combination {
     pub name: String,
     /// Factor of each case, by its name; cases that are not named do not act \[–\].
     pub of: BTreeMap<String, f64>,
+    /// Of steady vibration, by how much each case is ahead of those that are not named here \[degrees\].
+    #[serde(default)]
+    pub phases: BTreeMap<String, f64>,
 }

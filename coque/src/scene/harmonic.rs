@@ -7,6 +7,7 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 
 use crate::scene::bounded::{DampingRatio, LossFactor, Modes, NotNegative, Points, Positive};
+use crate::scene::combination::Combination;
 
 /// Steady vibration under loads that go as cos ωt, all in phase, about the unloaded or the preloaded shell; `moved` supports without `preload` are none of it.
 ///
@@ -23,6 +24,9 @@ pub struct Harmonic {
     pub damping: Option<VibrationDamping>,
     /// Shakes all that holds the body.
     pub base: Option<ShakenBase>,
+    /// Combinations of load cases, an answer each after those of the cases.
+    #[serde(default)]
+    pub combinations: Vec<Combination>,
 }
 
 /// What takes energy out of a steady vibration: exactly one of these.

@@ -17,7 +17,7 @@ pub struct Load {
     pub on: String,
     /// Dead force, shared by the set.
     pub force: Option<Force>,
-    /// Couple on directors, about a fixed axis or about the moving edge.
+    /// Couple about a fixed axis or about the moving edge, also about normals.
     pub couple: Option<Couple>,
     /// Pressure along the normal of a shell or of some of its cells, dead or following it; on faces of a Galerkin solid against
     /// their normal, following them.
@@ -56,7 +56,8 @@ pub struct Force {
     pub by_area: bool,
 }
 
-/// Couple on the directors of a set, by tributary length on an edge, else equally; what would turn them about themselves is lost.
+/// Couple on a set, by tributary length on an edge, else equally: on its directors, and where the axis has a part along normals on the places around its
+/// particles, of a line on the line itself.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Couple {

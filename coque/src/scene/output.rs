@@ -53,6 +53,10 @@ pub struct Fields {
     /// Reserve factors and failure indices of a shell by a criterion, and the number of the ply of least reserve; with `plies` the reserve factor of each
     /// as well.
     pub reserve: Option<Criterion>,
+    /// Of a scene with load cases four frames more, behind those of the cases, with each number of each field over the combinations, else over the cases: the
+    /// least, the greatest, the greatest size, and the number of the case that has it.
+    #[serde(default)]
+    pub envelope: bool,
 }
 
 impl Fields {
@@ -72,6 +76,7 @@ impl Fields {
         recovered: false,
         plies: false,
         reserve: None,
+        envelope: false,
     };
 }
 

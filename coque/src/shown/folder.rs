@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::{Curve, listed, read_text};
+use crate::{Curve, Extreme, listed, read_text};
 use serde_json::Value;
 
 /// Reads the curve.
@@ -98,7 +98,13 @@ impl<'a> Along<'a> {
             })
         };
         let of = |name: &str| said(name, *self.curve.column(name)?.get(self.row(along)?)?);
-        let case = || self.cases.get(self.row(along)?).cloned();
+        // Behind the cases stand their envelopes.
+        let envelope = || {
+            let behind = (along - self.cases.len() as f64 - 1.0) as usize;
+            let extreme = (along > self.cases.len() as f64).then(|| Extreme::ALL.get(behind));
+            Some(format!("envelope: {}", extreme??.word()))
+        };
+        let case = || self.row(along).and_then(|row| self.cases.get(row).cloned()).or_else(envelope);
         match self.column {
             _ if !self.cases.is_empty() => case(),
             _ if self.are_modes() => {

@@ -142,17 +142,20 @@ fn columns_of_bars_want_bars() {
 }
 
 /// A plate one wide and .01 thick on a blade in its middle surface: of a tenth of its length too stiff by 3.3 % on 32 cells, of a twentieth by .6
-/// (sph-shell/tests/at_rest/stiffened_answers.rs).
+/// (sph-shell/tests/at_rest/stiffened_answers.rs). Two blades of one set are as deep as one.
 #[test]
 fn deep_stiffeners_are_warned_of() {
-    for (deep, warned) in [(0.1, true), (0.05, false)] {
+    for (deep, warned, on) in
+        [(0.1, true, "rib"), (0.05, false, "rib"), (0.1, true, "ribs"), (0.05, false, "ribs")]
+    {
         let text = format!(
             "title = \"Blade\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\nanalysis.linear = {{}}\n\
              geometry.plate = {{ lengths = [1.0, 1.0], particles = [33, 33] }}\n\
              material.elastic = {{ young = 2e11, poisson = 0.3, density = 7800.0 }}\nsection.homogeneous.thickness = 0.01\n\
              supports = [{{ on = [\"u0\", \"u1\"], clamped = {{}} }}]\nloads = [{{ on = \"all\", pressure = {{ value = 1e4 }} }}]\n\
-             stiffeners = [{{ on = \"rib\", eccentricity = {}, section.rectangle = {{ width = 0.01, height = {deep} }} }}]\n\
-             [sets]\nrib.plane = {{ point = [0, 0.5, 0], normal = [0, 1, 0] }}\n",
+             stiffeners = [{{ on = \"{on}\", eccentricity = {}, section.rectangle = {{ width = 0.01, height = {deep} }} }}]\n\
+             [sets]\nrib.plane = {{ point = [0, 0.5, 0], normal = [0, 1, 0] }}\n\
+             second.plane = {{ point = [0, 0.75, 0], normal = [0, 1, 0] }}\nribs.union = [\"rib\", \"second\"]\n",
             -0.5 * deep
         );
         let model = Scene::parse(&text, "scene.toml").unwrap().build(1).unwrap();

@@ -96,7 +96,8 @@ fn the_extruded_shell_has_the_volume_of_the_shell() {
         driven: None,
         forces: None,
     };
-    let frame = Frame { body: &shell, shown, along: 0.0, level: 0.0, time: 0.0, case: None };
+    let (case, envelope) = (None, None);
+    let frame = Frame { body: &shell, shown, along: 0.0, level: 0.0, time: 0.0, case, envelope };
     FieldFiles::create(&folder, FieldFiles::LONE, &EVERYTHING).unwrap().frame(&frame).unwrap();
     let flat = Read::new(&folder.join("shell-0000.vtu"));
     assert_eq!(flat.get("types"), [9.0, 5.0, 5.0]);

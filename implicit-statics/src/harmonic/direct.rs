@@ -1,11 +1,9 @@
 //! The steady answer by one factor at each frequency.
 
-use super::motion::{CycleEnergies, HarmonicMotion, quadratic, weighed};
+use super::motion::{CycleEnergies, EnergyForms, HarmonicMotion};
 use super::{Complex, HarmonicDamping};
 use crate::error::require;
-use crate::pattern::product;
 use crate::rank_one::RankOne;
-use crate::vectors::dot;
 use crate::{Equilibrium, EquilibriumError, Inertia, SymmetricSolver};
 
 /// Solves for the steady answer of a system, frequency by frequency.
@@ -22,10 +20,7 @@ use crate::{Equilibrium, EquilibriumError, Inertia, SymmetricSolver};
 /// frequencies below ω.
 pub struct DirectResponse {
     solver: SymmetricSolver,
-    pattern: Vec<(usize, usize)>,
-    stiffness: Vec<f64>,
-    beside: Vec<RankOne>,
-    masses: Vec<f64>,
+    forms: EnergyForms,
     load: Vec<f64>,
     damping: HarmonicDamping,
     inertia: Inertia,
@@ -44,29 +39,26 @@ impl DirectResponse {
         if let HarmonicDamping::Ratio(ratio) = damping {
             require(false, "damping ratio", ratio, "left out of a direct answer: modes alone have one")?;
         }
-        let (n, pattern) = (system.unknowns(), system.pattern());
-        let mut stiffness = vec![0.0; pattern.len()];
-        system.tangent(level, &mut stiffness);
-        let beside = system.beside_pattern(level);
+        let (n, forms) = (system.unknowns(), EnergyForms::of(system, level));
+        let (pattern, stiffness) = (&forms.pattern, &forms.stiffness);
         let mut load = vec![0.0; n];
         system.load_rate(level, &mut load);
         let places = system.coordinates();
         let mut first = vec![0.0; n];
-        let on_diagonal = pattern.iter().zip(&stiffness).filter(|((row, column), _)| row == column);
+        let on_diagonal = pattern.iter().zip(stiffness).filter(|((row, column), _)| row == column);
         on_diagonal.for_each(|(&(row, _), k)| first[row] = k.abs());
         // Scaled by K: at some frequency an entry of K − ω²M may be next to nothing.
         let solver = if damping == HarmonicDamping::None {
-            let mut solver = SymmetricSolver::placed(n, &pattern, places.as_deref())?;
+            let mut solver = SymmetricSolver::placed(n, pattern, places.as_deref())?;
             solver.refer_to(&first);
             solver
         } else {
             let places = places.map(|places| twice(&places));
-            let mut solver = SymmetricSolver::placed(2 * n, &doubled(&pattern), places.as_deref())?;
+            let mut solver = SymmetricSolver::placed(2 * n, &doubled(pattern), places.as_deref())?;
             solver.refer_to(&twice(&first));
             solver
         };
-        let (masses, inertia) = (system.vibrating_masses(), Inertia::default());
-        Ok(Self { solver, pattern, stiffness, beside, masses, load, damping, inertia })
+        Ok(Self { solver, forms, load, damping, inertia: Inertia::default() })
     }
 
     /// The answer at a circular frequency \[1/T\].
@@ -74,30 +66,54 @@ impl DirectResponse {
     /// # Errors
     /// [`EquilibriumError::Resonance`] where nothing damps and ω is a natural frequency within rounding; of the solver.
     pub fn at(&mut self, omega: f64) -> Result<HarmonicMotion, EquilibriumError> {
+        self.factorise(omega)?;
+        let load = std::mem::take(&mut self.load);
+        let answer = self.under(&load, omega);
+        self.load = load;
+        answer
+    }
+
+    /// Makes the factor at a circular frequency \[1/T\].
+    ///
+    /// # Errors
+    /// Of the solver.
+    pub fn factorise(&mut self, omega: f64) -> Result<(), EquilibriumError> {
+        let EnergyForms { pattern, stiffness, beside, masses } = &self.forms;
         let (square, (mass, loss)) = (omega * omega, self.damping.at(omega));
         let of = |(row, column): (usize, usize), k: f64| {
-            let m = if row == column { self.masses[row] } else { 0.0 };
+            let m = if row == column { masses[row] } else { 0.0 };
             Complex::new(k - square * m, loss * k + omega * mass * m)
         };
-        let entries = self.pattern.iter().zip(&self.stiffness);
+        let entries = pattern.iter().zip(stiffness);
         if self.damping == HarmonicDamping::None {
             let values: Vec<f64> = entries.map(|(&place, &k)| of(place, k).re).collect();
-            self.inertia = self.solver.factor_with(&values, &self.beside)?;
-            let mut real = self.load.clone();
-            self.solve(&mut real, omega)?;
-            let imaginary = vec![0.0; real.len()];
-            return Ok(HarmonicMotion { real, imaginary });
+            self.inertia = self.solver.factor_with(&values, beside)?;
+            return Ok(());
         }
-        let mut values = Vec::with_capacity(4 * self.pattern.len());
+        let mut values = Vec::with_capacity(4 * pattern.len());
         for (&place, &k) in entries {
             let a = of(place, k);
             values.extend([a.re, -a.im]);
             values.extend((place.0 != place.1).then_some(-a.im));
             values.push(-a.re);
         }
-        let beside: Vec<RankOne> = self.beside.iter().flat_map(|term| doubled_term(term, loss)).collect();
+        let beside: Vec<RankOne> = beside.iter().flat_map(|term| doubled_term(term, loss)).collect();
         self.inertia = self.solver.factor_with(&values, &beside)?;
-        let mut both: Vec<f64> = self.load.iter().flat_map(|&p| [p, 0.0]).collect();
+        Ok(())
+    }
+
+    /// The answer to a load in one phase, by the factor last made, at its circular frequency.
+    ///
+    /// # Errors
+    /// As of [`DirectResponse::at`].
+    pub fn under(&mut self, load: &[f64], omega: f64) -> Result<HarmonicMotion, EquilibriumError> {
+        if self.damping == HarmonicDamping::None {
+            let mut real = load.to_vec();
+            self.solve(&mut real, omega)?;
+            let imaginary = vec![0.0; real.len()];
+            return Ok(HarmonicMotion { real, imaginary });
+        }
+        let mut both: Vec<f64> = load.iter().flat_map(|&p| [p, 0.0]).collect();
         self.solve(&mut both, omega)?;
         let part = |k: usize| both.as_chunks::<2>().0.iter().map(|both| both[k]).collect();
         Ok(HarmonicMotion { real: part(0), imaginary: part(1) })
@@ -105,16 +121,12 @@ impl DirectResponse {
 
     /// Energies of an answer at its circular frequency.
     pub fn energies(&self, motion: &HarmonicMotion, omega: f64) -> CycleEnergies {
-        let stiff = |x: &[f64]| {
-            quadratic(x, |x, image| {
-                product(&self.pattern, &self.stiffness, x, image);
-                self.beside.iter().for_each(|term| term.add_product(1.0, x, image));
-            })
-        };
-        let stored = stiff(&motion.real) + stiff(&motion.imaginary);
-        let moving = weighed(&self.masses, &motion.real) + weighed(&self.masses, &motion.imaginary);
-        let out = dot(&self.load, &motion.imaginary);
-        CycleEnergies::of([stored, moving, out], omega, self.damping.at(omega))
+        self.energies_under([&self.load, &[]], motion, omega)
+    }
+
+    /// The same of an answer to a load with both parts, the second empty where it is zero.
+    pub fn energies_under(&self, load: [&[f64]; 2], motion: &HarmonicMotion, omega: f64) -> CycleEnergies {
+        CycleEnergies::of(self.forms.sums(load, motion), omega, self.damping.at(omega))
     }
 
     /// Signs of the pivots of K: negative ones tell that the state is not stable, zeros that it may move freely.
@@ -123,8 +135,9 @@ impl DirectResponse {
     /// Of the solver.
     pub fn stability<E: Equilibrium + ?Sized>(&self, system: &E) -> Result<Inertia, EquilibriumError> {
         let places = system.coordinates();
-        let mut solver = SymmetricSolver::placed(self.masses.len(), &self.pattern, places.as_deref())?;
-        solver.factor_with(&self.stiffness, &self.beside)
+        let mut solver =
+            SymmetricSolver::placed(self.forms.masses.len(), &self.forms.pattern, places.as_deref())?;
+        solver.factor_with(&self.forms.stiffness, &self.forms.beside)
     }
 
     /// Natural frequencies below the last one answered for; none where damping leaves them no place on the axis.
@@ -139,7 +152,7 @@ impl DirectResponse {
 
     /// Masses of the unknowns.
     pub fn masses(&self) -> &[f64] {
-        &self.masses
+        &self.forms.masses
     }
 
     fn solve(&mut self, right: &mut [f64], omega: f64) -> Result<(), EquilibriumError> {

@@ -14,7 +14,7 @@ mod reduced;
 
 pub use complex::Complex;
 pub use direct::DirectResponse;
-pub use motion::{CycleEnergies, HarmonicMotion};
+pub use motion::{CycleEnergies, EnergyForms, HarmonicMotion};
 pub use reduced::ReducedResponse;
 
 /// What takes energy out of a steady vibration.

@@ -2,6 +2,9 @@
 
 use std::f64::consts::PI;
 
+use crate::Equilibrium;
+use crate::pattern::product;
+use crate::rank_one::RankOne;
 use crate::vectors::dot;
 
 /// Unknowns that go as `real cos ωt − imaginary sin ωt`.
@@ -50,6 +53,44 @@ impl CycleEnergies {
             external: -PI * out,
             dissipated: PI * (loss * stored + omega * mass * moving),
         }
+    }
+}
+
+/// K and M of a state, as they weigh motions.
+pub struct EnergyForms {
+    pub(super) pattern: Vec<(usize, usize)>,
+    pub(super) stiffness: Vec<f64>,
+    pub(super) beside: Vec<RankOne>,
+    pub(super) masses: Vec<f64>,
+}
+
+impl EnergyForms {
+    /// Of the present state of a system.
+    pub fn of<E: Equilibrium + ?Sized>(system: &mut E, level: f64) -> Self {
+        let pattern = system.pattern();
+        let mut stiffness = vec![0.0; pattern.len()];
+        system.tangent(level, &mut stiffness);
+        Self { pattern, stiffness, beside: system.beside_pattern(level), masses: system.vibrating_masses() }
+    }
+
+    /// `uᴴKu`, `uᴴMu` and `Re p·Im u − Im p·Re u` under a load with both parts, the second empty where it is zero.
+    pub(super) fn sums(&self, [real, imaginary]: [&[f64]; 2], motion: &HarmonicMotion) -> [f64; 3] {
+        let stiff = |x: &[f64]| {
+            quadratic(x, |x, image| {
+                product(&self.pattern, &self.stiffness, x, image);
+                self.beside.iter().for_each(|term| term.add_product(1.0, x, image));
+            })
+        };
+        let stored = stiff(&motion.real) + stiff(&motion.imaginary);
+        let moving = weighed(&self.masses, &motion.real) + weighed(&self.masses, &motion.imaginary);
+        let ahead: f64 = imaginary.iter().zip(&motion.real).map(|(p, u)| p * u).sum();
+        [stored, moving, dot(real, &motion.imaginary) - ahead]
+    }
+
+    /// Energies of a steady motion under a load `Re p cos ωt − Im p sin ωt`: damping takes what the load brings in.
+    pub fn of_cycle(&self, load: [&[f64]; 2], motion: &HarmonicMotion, omega: f64) -> CycleEnergies {
+        let found = CycleEnergies::of(self.sums(load, motion), omega, (0.0, 0.0));
+        CycleEnergies { dissipated: found.external, ..found }
     }
 }
 

@@ -19,6 +19,11 @@ pub enum ShellError {
     /// A stiffener that makes no sense.
     #[error(transparent)]
     Stiffener(#[from] StiffenerError),
+    /// A couple along the normal of a particle with nothing around it.
+    #[error(
+        "particle {0} has no cell around it that would turn about its normal under a couple; give the set cells, or a couple across the normal"
+    )]
+    DrillingAlone(u32),
     /// Density must be positive and finite.
     #[error("density is {0}; it must be positive and finite")]
     Density(f64),

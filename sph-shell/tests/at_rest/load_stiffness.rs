@@ -7,15 +7,16 @@ use crate::common::{
 };
 use implicit_statics::{BucklingOptions, Equilibrium, Newton, NewtonOptions, linear_buckling, unwatched};
 use shell_kinematics::strain_measures;
-use sph_core::{Cylinder, EndWeights, Side, Vec3, lattice};
+use sph_core::{Cloud, Cylinder, EndWeights, Side, Vec3, lattice};
 use sph_shell::{
-    Block, Body, Clamped, CoupleAxis, EdgeCouple, Force, Gravity, Load, Pressure, PressurePatch, StaticShell,
-    Supported, SymmetryPlane, spread,
+    Block, Body, Clamped, CoupleAxis, DrillingCouple, EdgeCouple, Force, Gravity, Load, Pressure,
+    PressurePatch, StaticShell, Supported, SymmetryPlane, spread,
 };
 
-/// Every kind of load on so many particles, on the edge given, and whether it follows the shell.
-fn loads(edge: &[(u32, f64)], particles: usize) -> Vec<(&'static str, bool, Box<dyn Load>)> {
-    let edge = edge.to_vec();
+/// Every kind of load on a shell, on the edge given, and whether it follows the shell.
+fn loads(edge: &[(u32, f64)], cloud: &Cloud) -> Vec<(&'static str, bool, Box<dyn Load>)> {
+    let (edge, particles) = (edge.to_vec(), cloud.len());
+    let drilling = |shares| Box::new(DrillingCouple::new(cloud, shares, Vec3::new(0.3, -0.2, 0.9)));
     let couple = |axis| Box::new(EdgeCouple { edge: edge.clone(), moment: 0.7, axis });
     vec![
         ("force", false, Box::new(Force { shares: edge.clone(), total: Vec3::new(1.0, -2.0, 0.5) })),
@@ -38,6 +39,8 @@ fn loads(edge: &[(u32, f64)], particles: usize) -> Vec<(&'static str, bool, Box<
         }),
         ("couple about a fixed axis", true, couple(CoupleAxis::Fixed(Vec3::new(0.6, 0.0, 0.8)))),
         ("couple about the edge", true, couple(CoupleAxis::Edge)),
+        ("couple along normals of a line", true, drilling(edge.clone())),
+        ("couple along normals", true, drilling((4..12).map(|a| (a, 1.0 + 0.1 * f64::from(a))).collect())),
     ]
 }
 
@@ -48,7 +51,7 @@ fn the_stiffness_of_every_load_is_its_derivative() {
     {
         let edge: Vec<(u32, f64)> =
             cloud.sides.as_ref().unwrap().edge(Side::U1).iter().map(|&a| (a, 0.5)).collect();
-        for (name, follows, load) in loads(&edge, cloud.len()) {
+        for (name, follows, load) in loads(&edge, &cloud) {
             let mut body =
                 shell(cloud.clone(), energy_formulations()[0].1, 0.2, strain_measures()[0], vec![], vec![]);
             shake(&mut body, 0.1, 4);

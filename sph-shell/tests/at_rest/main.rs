@@ -7,6 +7,7 @@ mod common;
 
 mod beams_on_springs;
 mod conduction;
+mod drilling;
 mod enclosed;
 mod even_bed;
 mod heat;

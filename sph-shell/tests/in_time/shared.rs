@@ -6,7 +6,8 @@ use peers::{Peers, together};
 use shell_kinematics::StretchCorrected;
 use sph_core::{Side, Vec3};
 use sph_shell::{
-    Clamped, Formulation, Gravity, Load, Moved, Pressure, Reach, Shell, ShellError, SymmetryPlane,
+    Clamped, DrillingCouple, Formulation, Gravity, Load, Moved, Pressure, Reach, Shell, ShellError,
+    SymmetryPlane,
 };
 
 const CELLS: Formulation = Formulation::StressPoint(Reach::Cell);
@@ -18,9 +19,13 @@ fn strip() -> Shell {
     let end = |side: Side| sides.edge(side).to_vec();
     let lifted = Moved { direction: Vec3::z(), by: 0.05, amplitude: Amplitude::Ramp(0.2) };
     let supports = vec![supported(end(Side::U0), Clamped), supported(end(Side::U1), lifted)];
+    // Couples about normals of a line along the border of two shares, and of an area across it.
+    let across = (0..11).map(|j| (46 * 11 + j, 1.0)).collect();
     let loads: Vec<Box<dyn Load>> = vec![
         Box::new(Gravity { acceleration: Vec3::new(0.0, 0.3, -0.2) }),
         Box::new(Pressure { value: 0.02, follower: true }),
+        Box::new(DrillingCouple::new(&cloud, across, Vec3::z() * 0.01)),
+        Box::new(DrillingCouple::new(&cloud, (700..900).map(|a| (a, 1.0)).collect(), Vec3::z() * 0.01)),
     ];
     shell(cloud, CELLS, 0.05, &StretchCorrected, supports, loads)
 }

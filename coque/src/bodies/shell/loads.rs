@@ -1,7 +1,7 @@
 //! Loads of a scene as those of the shell: on particles, on edges, on cells, on rigid bodies.
 
 use sph_core::{Cloud, EndWeights, Vec3};
-use sph_shell::{AppliedLoad, Content, CoupleAxis, Enclosed};
+use sph_shell::{AppliedLoad, Content, CoupleAxis, DrillingCouple, Enclosed};
 
 use super::build::Builder;
 use super::cells::CellSets;
@@ -10,6 +10,9 @@ use super::sections::Sections;
 use crate::bodies::sets::{self, Sets};
 use crate::scene::error::SceneError;
 use crate::scene::{self, Axis, LoadKind};
+
+/// Cosine between the axis of a couple and a normal at rest up to which directors bear all of it.
+const ACROSS: f64 = 1e-6;
 
 impl Builder<'_> {
     /// The loads of a shell, each of its scene but heat once and in their order.
@@ -47,7 +50,7 @@ impl Builder<'_> {
                 let amplitude = load.amplitude.clone().unwrap_or_default();
                 let found = match self.load_on_body(&kind, load.on) {
                     Some(on_body) => Some(Box::new(on_body) as _),
-                    None => self.load(kind, shares.clone()),
+                    None => self.load(kind, shares.clone(), cloud),
                 };
                 loads.extend(found.map(|load| of_case(AppliedLoad { load, amplitude })));
             }
@@ -55,17 +58,30 @@ impl Builder<'_> {
         Ok(loads)
     }
 
-    fn load(&self, kind: LoadKind, shares: Vec<(u32, f64)>) -> Option<Box<dyn sph_shell::Load>> {
+    fn load(
+        &self,
+        kind: LoadKind,
+        shares: Vec<(u32, f64)>,
+        cloud: &Cloud,
+    ) -> Option<Box<dyn sph_shell::Load>> {
         Some(match kind {
             LoadKind::Force(force) => Box::new(sph_shell::Force { shares, total: self.turned(force.total) }),
-            LoadKind::Couple(couple) => Box::new(sph_shell::EdgeCouple {
-                edge: shares,
-                moment: couple.moment,
-                axis: match couple.axis {
+            LoadKind::Couple(couple) => {
+                let axis = match couple.axis {
                     Axis::Edge => CoupleAxis::Edge,
                     Axis::Fixed(axis) => CoupleAxis::Fixed(self.turned(axis).normalize()),
-                },
-            }),
+                };
+                let along = |axis: Vec3| {
+                    let normal = |(a, _): &(u32, f64)| cloud.frames[*a as usize].n.dot(&axis).abs();
+                    shares.iter().map(normal).fold(0.0, f64::max)
+                };
+                match axis {
+                    CoupleAxis::Fixed(axis) if along(axis) > ACROSS => {
+                        Box::new(DrillingCouple::new(cloud, shares, axis * couple.moment))
+                    }
+                    axis => Box::new(sph_shell::EdgeCouple { edge: shares, moment: couple.moment, axis }),
+                }
+            }
             LoadKind::Pressure(p) => Box::new(sph_shell::Pressure { value: p.value(), follower: p.follower }),
             LoadKind::Gravity(g) => {
                 Box::new(sph_shell::Gravity { acceleration: self.turned(g.acceleration) })

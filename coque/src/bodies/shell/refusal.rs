@@ -110,7 +110,8 @@ impl Builder<'_> {
             ShellError::NoSuchParticle { .. }
             | ShellError::NoSuchCell { .. }
             | ShellError::EmptySet(_)
-            | ShellError::NotAnEdge(_) => "loads".into(),
+            | ShellError::NotAnEdge(_)
+            | ShellError::DrillingAlone(_) => "loads".into(),
         };
         model_error(self.scene.source, &path, &error.to_string())
     }

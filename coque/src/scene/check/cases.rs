@@ -15,11 +15,16 @@ pub(super) fn check_cases(scene: &Scene) -> Verdict {
     let s = &scene.scope();
     let cases = scene.cases();
     if cases.is_empty() {
+        if scene.output.fields.is_some_and(|fields| fields.envelope) {
+            let (bound, repair) =
+                ("none of a scene without load cases", "remove it, or add case = \"…\" to each load");
+            return refuse(s, "output.fields.envelope", "an envelope of fields", bound, repair);
+        }
         if scene.combinations().is_empty() {
             return Ok(());
         }
         let (bound, repair) = ("none of a scene without load cases", "add case = \"…\" to each of its loads");
-        return refuse(s, "analysis.linear.combinations", "combinations", bound, repair);
+        return refuse(s, &combined(scene), "combinations", bound, repair);
     }
     check_analysis(scene, s)?;
     check_loads(scene, s)?;
@@ -31,6 +36,11 @@ fn refuse(s: &Scope<'_>, path: &str, value: &str, bound: &str, repair: &str) -> 
     Err(SceneError::Choice(s.fault(path, value, bound, repair)))
 }
 
+/// Where combinations stand.
+fn combined(scene: &Scene) -> String {
+    format!("analysis.{}.combinations", scene.analysis.kind().word)
+}
+
 /// Where the first case is named.
 fn first_place(scene: &Scene) -> String {
     let load = scene.loads.iter().position(|load| load.case.is_some()).map(|i| format!("loads[{i}].case"));
@@ -40,11 +50,24 @@ fn first_place(scene: &Scene) -> String {
 
 /// Answers superpose where they are linear, and errors are paired row by row of one answer.
 fn check_analysis(scene: &Scene, s: &Scope<'_>) -> Verdict {
-    if !matches!(scene.analysis, Analysis::Linear(_)) {
+    if !matches!(scene.analysis, Analysis::Linear(_) | Analysis::Harmonic(_)) {
         let kind = scene.analysis.kind().name;
-        let bound = format!("none in {kind}: answers to load cases superpose in a linear analysis alone");
+        let bound =
+            format!("none in {kind}: answers to load cases superpose in linear and harmonic analyses alone");
         let repair = "use [analysis.linear], or run the scene once for each case with that case's loads, without `case`";
         return refuse(s, &first_place(scene), "a load case", &bound, repair);
+    }
+    if let Analysis::Harmonic(wanted) = &scene.analysis {
+        if wanted.base.is_some() {
+            let bound = "none beside load cases, of which it is none";
+            let repair = "run the scene once more with it, without loads";
+            return refuse(s, "analysis.harmonic.base", "a base that shakes", bound, repair);
+        }
+        if scene.output.fields.is_some() {
+            let bound = "none beside load cases that vibrate, whose shapes are not kept";
+            let repair = "remove it, or run the scene with the loads of one case, without `case`";
+            return refuse(s, "output.fields", "fields", bound, repair);
+        }
     }
     if scene.error.is_some() {
         let bound = "none beside load cases: errors are found of one answer";
@@ -57,6 +80,13 @@ fn check_analysis(scene: &Scene, s: &Scope<'_>) -> Verdict {
 fn check_loads(scene: &Scene, s: &Scope<'_>) -> Verdict {
     for (i, load) in scene.loads.iter().enumerate() {
         let at = |key: &str| format!("loads[{i}].{key}");
+        if load.preload {
+            let bound = "none of a preload, which is there in every case";
+            match load.case {
+                Some(_) => return refuse(s, &at("case"), "a load case", bound, "remove it"),
+                None => continue,
+            }
+        }
         let Some(case) = &load.case else {
             let bound = "one with a case, as other loads have";
             let repair = "add case = \"…\"; what acts in several cases has a case of its own, which combinations count";
@@ -77,11 +107,12 @@ fn check_loads(scene: &Scene, s: &Scope<'_>) -> Verdict {
 fn check_supports(scene: &Scene, s: &Scope<'_>) -> Verdict {
     for (i, support) in scene.supports.iter().enumerate() {
         let at = |key: &str| format!("supports[{i}].{key}");
-        match (&support.case, support.motion()) {
+        let motion = support.motion().filter(|_| !support.preload);
+        match (&support.case, motion) {
             (None, None) => {}
             (Some(case), Some(_)) => check_name(s, &at("case"), case)?,
             (Some(_), None) => {
-                let bound = "none of what stands still: it holds in every case";
+                let bound = "none of what stands still or preloads: it holds in every case";
                 return refuse(s, &at("case"), "a load case", bound, "remove it");
             }
             (None, Some((word, _))) => {
@@ -119,16 +150,11 @@ fn check_combinations(scene: &Scene, s: &Scope<'_>, cases: &[&str]) -> Verdict {
     if cases.len() + combinations.len() > MOST {
         let bound = format!("at most {MOST} of cases and combinations together");
         let value = cases.len() + combinations.len();
-        return Err(s.value(
-            "analysis.linear.combinations",
-            value,
-            &bound,
-            "take fewer combinations at a time",
-        ));
+        return Err(s.value(&combined(scene), value, &bound, "take fewer combinations at a time"));
     }
     let mut taken: BTreeSet<&str> = cases.iter().copied().collect();
     for (i, own) in combinations.iter().enumerate() {
-        let at = |key: &str| format!("analysis.linear.combinations[{i}].{key}");
+        let at = |key: &str| format!("{}[{i}].{key}", combined(scene));
         check_name(s, &at("name"), &own.name)?;
         if !taken.insert(&own.name) {
             let repair = "rename it: cases and combinations have names of their own";
@@ -141,6 +167,16 @@ fn check_combinations(scene: &Scene, s: &Scope<'_>, cases: &[&str]) -> Verdict {
         for (case, &factor) in &own.of {
             s.word(&at(&format!("of.{case}")), case, cases)?;
             s.sized(&at(&format!("of.{case}")), factor)?;
+        }
+        let own: Vec<&str> = own.of.keys().map(String::as_str).collect();
+        for (case, &phase) in &combinations[i].phases {
+            let path = at(&format!("phases.{case}"));
+            if matches!(scene.analysis, Analysis::Linear(_)) {
+                let bound = "none in a linear answer, where nothing swings";
+                return refuse(s, &path, "a phase", bound, "remove it, or use [analysis.harmonic]");
+            }
+            s.word(&path, case, &own)?;
+            s.sized(&path, phase)?;
         }
     }
     Ok(())

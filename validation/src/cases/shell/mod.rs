@@ -14,6 +14,7 @@ mod heavy_end;
 pub mod hemisphere;
 pub mod hemisphere_large;
 mod hook;
+mod hub_turned;
 mod i_beams;
 mod initial_stress;
 mod joined_cantilevers;
@@ -86,6 +87,7 @@ pub fn all() -> Vec<Case> {
             sandwich_panel::case(),
             ply_strength::case(),
             two_span_cases::case(),
+            hub_turned::case(),
             joined_cantilevers::case(),
         ],
     ));

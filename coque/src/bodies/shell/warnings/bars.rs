@@ -1,5 +1,6 @@
 //! What sheet and bar having one director makes of deep stiffeners.
 
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 use super::look::Look;
@@ -16,12 +17,7 @@ pub(super) fn deep(look: &Look<'_>) -> Option<String> {
     let shell = look.scene?.shell;
     let Material::Elastic(elastic) = &shell.material else { return None };
     let sheet = 5.0 / 12.0 * elastic.young.get() / (1.0 + elastic.poisson) * look.thickness * look.spacing;
-    let mut lengths = vec![0.0; shell.stiffeners.len()];
-    let rest = look.shell.rest_positions();
-    for piece in look.shell.bar_forces() {
-        let [a, b] = piece.ends.map(|end| rest[end as usize]);
-        lengths[piece.stiffener] += (b - a).norm();
-    }
+    let lengths = longest(look, shell.stiffeners.len());
     let doubtful = shell.stiffeners.iter().zip(lengths).filter_map(|(stiffener, length)| {
         let bar = bar_of(stiffener, shell)?;
         let bending = bar.section.bending + bar.section.axial * bar.height * bar.height;
@@ -38,4 +34,24 @@ pub(super) fn deep(look: &Look<'_>) -> Option<String> {
         100.0 * off,
         100.0 * OFF
     ))
+}
+
+/// Length of the longest line of each of so many stiffeners: a set may have several, side by side.
+fn longest(look: &Look<'_>, stiffeners: usize) -> Vec<f64> {
+    let rest = look.shell.rest_positions();
+    let mut lines: Vec<Vec<(BTreeSet<u32>, f64)>> = vec![Vec::new(); stiffeners];
+    for piece in look.shell.bar_forces() {
+        let [a, b] = piece.ends;
+        let own = &mut lines[piece.stiffener];
+        let meets = |line: &(BTreeSet<u32>, f64)| line.0.contains(&a) || line.0.contains(&b);
+        let (met, apart): (Vec<_>, Vec<_>) = std::mem::take(own).into_iter().partition(meets);
+        let mut line = (BTreeSet::from([a, b]), (rest[b as usize] - rest[a as usize]).norm());
+        for (ends, length) in met {
+            line.0.extend(ends);
+            line.1 += length;
+        }
+        *own = apart;
+        own.push(line);
+    }
+    lines.iter().map(|lines| lines.iter().map(|line| line.1).fold(0.0, f64::max)).collect()
 }

@@ -1,4 +1,7 @@
-//! A couple on directors: about an axis fixed in space, or about the edge as it moves.
+//! A couple on directors: about an axis fixed in space, or about the edge as it moves; with what turns the surface about its normal, drilling.rs.
+
+mod drilling;
+mod spin;
 
 use std::ops::Range;
 
@@ -10,6 +13,8 @@ use crate::conditions::loads::{AddLoad, Load, LoadOnShare, check_set};
 use crate::error::ShellError;
 use crate::reference::Reference;
 
+pub use drilling::DrillingCouple;
+
 /// The axis of a couple.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CoupleAxis {
@@ -19,7 +24,8 @@ pub enum CoupleAxis {
     Edge,
 }
 
-/// A couple on an edge, `τ_a = M (l_a/Σl)(e × d_a)`; its work is `M δθ` for a turn δθ about e.
+/// A couple on an edge, `τ_a = M (l_a/Σl)(e × d_a)`; its work is `M δθ` for a turn δθ about e. What of it stands along a director is lost: where
+/// there is any, take a [`DrillingCouple`].
 ///
 /// Neither axis makes the load conservative out of the plane of bending; in the plane all three
 /// readings (fixed, material, conservative) agree.
