@@ -170,7 +170,7 @@ const EXAMPLES: [Example; 119] = [
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.
-const FILES: [(&str, &str, &str); 19] = [
+const FILES: [(&str, &str, &str); 18] = [
     (
         "balloon-inflating",
         "balloon-inflating.inp",
