@@ -258,6 +258,7 @@
 //! | modes go together as the closed form has it; an oscillator overshoots a step, as it has | `modes_go_together_as_noise_lets_them`, `an_oscillator_overshoots_a_step_as_its_closed_form_says` (response_spectrum) |
 //! | one degree of freedom under white noise is its closed form | `one_degree_under_white_noise_is_its_closed_form` (noise) |
 //! | terms beside the pattern are damped as the pattern is | `terms_beside_the_pattern_are_damped_alike` |
+//! | a medium beside a system counts as the mass that it is, about shifts of either sign | `a_medium_counts_as_the_mass_that_it_is` (tests/added_mass.rs) |
 //! | a search for modes ends when asked | `a_search_is_ended_from_outside` |
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]

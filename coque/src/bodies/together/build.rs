@@ -122,12 +122,11 @@ pub(in crate::bodies) fn together_in(
             Part::Balanced(body) => balanced.push(body),
         }
     }
-    let mut end = 0;
-    let first = |body: &Box<dyn BalancedPart>| {
+    let (mut firsts, mut end) = (Vec::with_capacity(balanced.len()), 0);
+    for body in &balanced {
+        firsts.push(end);
         end += body.unknowns();
-        end - body.unknowns()
-    };
-    let firsts: Vec<usize> = balanced.iter().map(first).collect();
+    }
     if matches!(scene.analysis, Analysis::Linear(_)) {
         let mut end = 0;
         let forces = balanced.iter().map(|body| {
