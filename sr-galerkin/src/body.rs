@@ -17,6 +17,8 @@ use crate::volumes::{Shared, Sharing};
 
 /// Nodes nearer than this share of the least radius of the support coincide.
 const COINCIDENT: f64 = 1e-9;
+/// Least mass of a node over that of its share of the cells, where a surface cuts them.
+const LEAST: f64 = 0.1;
 /// Deviation of material axes from orthonormal that is rounding.
 const SKEW: f64 = 1e-9;
 /// |w| of a step beyond which it is refused: half a step turns by 27°.
@@ -220,8 +222,8 @@ impl Galerkin {
     }
 }
 
-/// Masses of nodes \[M\], their images' with them: integrals of the shape functions; where one is not positive, the shares of the nodes in cells that a surface cuts, of
-/// whole cells those of their squares, scaled to the whole.
+/// Masses of nodes \[M\], their images' with them: integrals of the shape functions; where one is not positive and a surface cuts the cells, these or
+/// a tenth of the node's share of the cells, of whole cells those of their squares, either scaled to the whole.
 fn masses(space: &Discretisation, density: f64, shares: Option<&[f64]>) -> Vec<f64> {
     let mut integrals = space.integrals[..space.nodes.len()].to_vec();
     for (image, own) in space.integrals.iter().enumerate().skip(space.nodes.len()) {
@@ -233,7 +235,10 @@ fn masses(space: &Discretisation, density: f64, shares: Option<&[f64]>) -> Vec<f
         return integrals.iter().map(|integral| density * integral[0]).collect();
     }
     if let Some(shares) = shares {
-        return shares.iter().map(|share| density * share).collect();
+        let clipped = |(integral, share): (&[f64; 2], &f64)| integral[0].max(LEAST * share);
+        let all: Vec<f64> = integrals.iter().zip(shares).map(clipped).collect();
+        let scale = density * sum(0) / all.iter().sum::<f64>();
+        return all.into_iter().map(|own| scale * own).collect();
     }
     let scale = density * sum(0) / sum(1);
     integrals.iter().map(|integral| scale * integral[1]).collect()

@@ -148,7 +148,7 @@ fn a_half_moves_as_the_whole() {
     }
 }
 
-/// A free bar aslant in the lattice has six motions without stiffness; its masses lie at nodes on the surface, which makes its frequencies low by the first order of the spacing.
+/// A free bar aslant in the lattice has six motions without stiffness, and nearly the frequencies of the block.
 #[test]
 fn a_turned_bar_swings_as_the_block() {
     let turn = |[x, y, z]: [f64; 3]| [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, z];
@@ -157,16 +157,13 @@ fn a_turned_bar_swings_as_the_block() {
         column(&ran(overridden(&bar(&geometry, rest), "", &[])), "frequency")
     };
     let file = Obj::cuboid([0.0; 3], [1.2, 0.6, 0.5]).mapped(turn).write("galerkin-swinging");
-    let mut off = Vec::new();
-    for spacing in [0.15, 0.1] {
+    for (spacing, bound) in [(0.15, 0.09), (0.1, 0.065)] {
         let block = modes(format!("block = {{ lengths = [1.2, 0.6, 0.5], spacing = {spacing} }}"));
         let turned = modes(filled(&file, spacing));
         assert!(turned[5] < 1e-3 * turned[6], "{turned:?}");
-        off.push([6, 7].map(|mode| turned[mode] / block[mode] - 1.0));
-        println!("modes, {spacing}: {:?} %", off.last().unwrap().map(|error| 100.0 * error));
-    }
-    // Measured −9.9 and −6.7, −5.1 and −4.3 %.
-    for (coarse, fine) in off[0].iter().zip(off[1]) {
-        assert!(fine < 0.0 && fine > 0.75 * coarse && fine > -0.08, "{off:?}");
+        let off = [6, 7].map(|mode| turned[mode] / block[mode] - 1.0);
+        println!("modes, {spacing}: {:?} %", off.map(|error| 100.0 * error));
+        // Measured −2.9 and −2.5, −2.1 and −.9 %: three times that. Masses of nodes that integrals leave without one.
+        assert!(off.iter().all(|error| error.abs() < bound), "{off:?}");
     }
 }
