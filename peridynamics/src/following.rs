@@ -7,7 +7,6 @@ use explicit_dynamics::{Amplitude, Instant};
 use sph_core::{Carried, Vec3};
 
 use crate::bonds::network::Row;
-use crate::solid::vector;
 
 /// A pressure that follows a surface.
 #[derive(Clone, Debug)]
@@ -25,7 +24,8 @@ impl FollowingPressure {
     pub(crate) fn add(&self, at: Instant, rows: &[Row], out: &mut [Vec3]) {
         let surface = &self.surface;
         let sixth = -self.pressure * at.level * self.amplitude.value(at.time) / 6.0;
-        let places = surface.places(|node| vector(&rows[node as usize]));
+        let place = |[x, y, z, _]: Row| Vec3::new(x, y, z);
+        let places = surface.places(|node| place(rows[node as usize]));
         let mut forces = vec![Vec3::zeros(); places.len()];
         for corners in &surface.triangles {
             let [a, b, c] = corners.map(|corner| places[corner as usize]);
