@@ -226,6 +226,7 @@ mod inelastic;
 mod integrated_section;
 mod jet;
 mod layered_section;
+mod line_bend;
 mod log_strain;
 mod memory;
 mod mixed_section;
@@ -256,6 +257,7 @@ pub use inelastic::{
 };
 pub use integrated_section::IntegratedSection;
 pub use layered_section::{LayeredSection, Orthotropic, Ply};
+pub use line_bend::{LineBend, LinePlacement};
 pub use log_strain::Logarithmic;
 pub use memory::Memory;
 pub use mixed_section::MixedSection;

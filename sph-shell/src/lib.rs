@@ -372,7 +372,7 @@ pub use points::results::{PointResult, Yielded};
 pub use reference::{Reference, origin_of};
 pub use regions::{PointSection, Region};
 pub use statics::static_shell::StaticShell;
-pub use stiffeners::{BarForce, Stiffener};
+pub use stiffeners::{BarForce, InSurface, Stiffener};
 pub use ties::list::Tie;
 pub use ties::loss::TieLoss;
 pub use turning::TurningInertia;

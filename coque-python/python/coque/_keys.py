@@ -274,11 +274,12 @@ if TYPE_CHECKING:
     Spring = TypedDict("Spring", {"axis": NotRequired[Sequence[Union[float, str]]], "direction": NotRequired[Sequence[Union[float, str]]], "stiffness": Union[float, str], "to": NotRequired[Union[str, Sequence[str]]]})
     Static = TypedDict("Static", {"iterations": NotRequired[Union[int, str]], "levels": "Levels", "one_solve": NotRequired[bool], "tolerance": NotRequired[Union[float, str]]})
     StiffenerElastic = TypedDict("StiffenerElastic", {"density": Union[float, str], "poisson": Union[float, str], "young": Union[float, str]})
+    StiffenerInSurface = TypedDict("StiffenerInSurface", {"held": NotRequired[Sequence[str]]})
     StiffenerMaterial_1 = TypedDict("StiffenerMaterial_1", {"elastic": "StiffenerElastic"})
     StiffenerMaterial: TypeAlias = "StiffenerMaterial_1"
     StiffenerProfile = TypedDict("StiffenerProfile", {"area": Union[float, str], "inertia": Union[float, str], "lateral": NotRequired[Union[float, str]], "shear_area": NotRequired[Union[float, str]], "torsion": Union[float, str]})
     StiffenerRectangle = TypedDict("StiffenerRectangle", {"height": Union[float, str], "width": Union[float, str]})
-    StiffenerScene = TypedDict("StiffenerScene", {"eccentricity": NotRequired[Union[float, str]], "material": NotRequired["StiffenerMaterial"], "on": str, "section": "StiffenerSection", "share": NotRequired[Union[float, str]], "side": NotRequired["StiffenerSide"]})
+    StiffenerScene = TypedDict("StiffenerScene", {"eccentricity": NotRequired[Union[float, str]], "in_surface": NotRequired["StiffenerInSurface"], "material": NotRequired["StiffenerMaterial"], "on": str, "section": "StiffenerSection", "share": NotRequired[Union[float, str]], "side": NotRequired["StiffenerSide"]})
     StiffenerSection_1 = TypedDict("StiffenerSection_1", {"rectangle": "StiffenerRectangle"})
     StiffenerSection_2 = TypedDict("StiffenerSection_2", {"profile": "StiffenerProfile"})
     StiffenerSection: TypeAlias = Union["StiffenerSection_1", "StiffenerSection_2"]

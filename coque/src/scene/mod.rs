@@ -125,8 +125,8 @@ pub use shell::rubber::{MooneyRivlin, NeoHooke, Rubber, RubberLaw};
 pub(crate) use shell::section::MaterialSection;
 pub use shell::section::{Homogeneous, Section, Taper, ThicknessTable};
 pub use shell::stiffeners::{
-    StiffenerElastic, StiffenerMaterial, StiffenerProfile, StiffenerRectangle, StiffenerScene,
-    StiffenerSection, StiffenerSide,
+    StiffenerElastic, StiffenerInSurface, StiffenerMaterial, StiffenerProfile, StiffenerRectangle,
+    StiffenerScene, StiffenerSection, StiffenerSide,
 };
 pub use shell::strength::FibreStrength;
 pub use solid::SolidScene;

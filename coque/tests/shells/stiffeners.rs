@@ -185,3 +185,36 @@ fn what_bars_would_lose_is_refused() {
     };
     assert!(said(&read("all")).contains("no stiffener runs"), "{}", said(&read("all")));
 }
+
+/// A flat bar in the surface: pushed sideways the strip is stiffer with it, most where it is built in; what cannot be held is refused.
+#[test]
+fn a_flat_bar_bends_in_the_surface() {
+    let text = |stiffener: &str| {
+        format!(
+            "title = \"Strip\"\nunits = {{ length = \"m\", force = \"N\", time = \"s\" }}\nanalysis.linear = {{}}\n\
+             geometry.plate = {{ lengths = [2.0, 0.2], particles = [21, 5] }}\n\
+             material.elastic = {{ young = 2e11, poisson = 0.3, density = 7800.0 }}\nsection.homogeneous.thickness = 0.002\n\
+             supports = [{{ on = \"u0\", clamped = {{}} }}]\nloads = [{{ on = \"u1\", force = {{ total = [0, 100, 0] }} }}]\n\
+             stiffeners = [{{ on = \"rib\", eccentricity = 0.0, section.rectangle = {{ width = 0.15, height = 0.004 }}{stiffener} }}]\n\
+             curve = [{{ name = \"w\", of = \"displacement\", on = \"u1\", direction = [0, 1, 0] }}]\n\
+             [sets]\nrib.plane = {{ point = [0, 0.1, 0], normal = [0, 1, 0] }}\n"
+        )
+    };
+    let way = |stiffener: &str| last(&run(&text(stiffener)));
+    let [plain, free, held] = [way(""), way(", in_surface = {}"), way(", in_surface = { held = [\"u0\"] }")];
+    assert!(held < free && free < 0.8 * plain, "{plain} {free} {held}");
+    let said = |stiffener: &str| {
+        let found = Scene::parse(&text(stiffener), "scene.toml").and_then(|scene| scene.build(1).map(|_| ()));
+        found.map_or_else(|error| error.to_string(), |()| String::new())
+    };
+    let aside = said(", in_surface = { held = [\"v0\"] }");
+    assert!(aside.contains("with an end of the line"), "{aside}");
+    let nowhere = said(", in_surface = { held = [\"rub\"] }");
+    assert!(nowhere.contains("rub"), "{nowhere}");
+    let profile = text(", in_surface = {}").replace(
+        "section.rectangle = { width = 0.15, height = 0.004 }",
+        "section.profile = { area = 6e-4, inertia = 8e-10, torsion = 3e-9 }",
+    );
+    let found = Scene::parse(&profile, "scene.toml").err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(found.contains("lateral"), "{found}");
+}

@@ -48,6 +48,36 @@ pub enum StiffenerError {
         /// Height over the particles \[L\].
         height: f64,
     },
+    /// A line that is none where it bends in the surface.
+    #[error(
+        "the stiffener bends in the surface, and more than two of its pieces meet at particle {particle}, so that it has no one turn there; give each line a stiffener of its own"
+    )]
+    Forks {
+        /// Number of the stiffener.
+        number: usize,
+        /// The particle.
+        particle: u32,
+    },
+    /// A corner of it.
+    #[error(
+        "the stiffener bends in the surface, and its line has a corner of more than 45° at particle {particle}; end it there and begin another, or take finer cells along the curve"
+    )]
+    Corner {
+        /// Number of the stiffener.
+        number: usize,
+        /// The particle.
+        particle: u32,
+    },
+    /// A particle where its direction is to be held that is no end.
+    #[error(
+        "the direction of the stiffener is held at particle {particle}, which is no end of its line; name sets that have ends of it alone"
+    )]
+    NoEnd {
+        /// Number of the stiffener.
+        number: usize,
+        /// The particle.
+        particle: u32,
+    },
     /// A number that is none.
     #[error("{what} of the stiffener is {value}; it must be positive and finite")]
     Number {
@@ -69,6 +99,9 @@ impl StiffenerError {
             | Self::CoversCell { number, .. }
             | Self::Twice { number, .. }
             | Self::BeyondCentre { number, .. }
+            | Self::Forks { number, .. }
+            | Self::Corner { number, .. }
+            | Self::NoEnd { number, .. }
             | Self::Number { number, .. } => number,
         }
     }

@@ -7,11 +7,14 @@
 //! U = Σ l ψ(x′, d, d′)   f = −∂U/∂x,  τ = −∂U/∂d, with those of the cells
 //! ```
 //!
+//! Where a bar bends in the surface too, the turn of its line at each particle between two others stores energy (bends.rs).
+//!
 //! Two ends and a point between do not lock: slopes of chords and means of directors agree in pure bending, as in cells. Masses are lumped at both ends,
 //! `½ ρA l√P` each, where gravity finds them. In marches the director has the inertia of a bar as thick as a piece is long, `½ ρ l√P (A e² +
 //! max(A l²/12, I_p))`, as it has that of a cell; in modes its own (turning.rs). As with sections over their particles, what the height couples of velocities
 //! and rates of directors, `ρ A e ẋ·ḋ`, is left out, so that masses stay diagonal.
 
+mod bends;
 mod line;
 mod turning;
 
@@ -28,7 +31,10 @@ use crate::error::{ShellError, StiffenerError};
 use crate::packs::Row;
 use crate::reference::Reference;
 use crate::time::share::Share;
+use bends::Turn;
 use turning::Turning;
+
+pub use bends::InSurface;
 
 /// A bar along a line of particles.
 #[derive(Clone, Debug)]
@@ -41,6 +47,8 @@ pub struct Stiffener {
     pub height: f64,
     /// Mass by length of its centroid line \[M/L\].
     pub mass: f64,
+    /// Bending in the surface; none where the surface bears it alone.
+    pub in_surface: Option<InSurface>,
 }
 
 /// A piece of a bar between two particles.
@@ -58,6 +66,8 @@ struct Piece {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stiffeners {
     pieces: Vec<Piece>,
+    /// Of bars that bend in the surface.
+    turns: Vec<Turn>,
     /// By particle, ascending.
     turning: Vec<Turning>,
 }
@@ -122,15 +132,19 @@ impl Stiffeners {
         thickness: f64,
     ) -> Result<Self, ShellError> {
         let rest = reference.rest();
-        let mut pieces = Vec::new();
+        let (mut pieces, mut turns) = (Vec::new(), Vec::new());
         let mut masses = Vec::new();
-        let mut turns: Vec<Vec<(Vec3, [f64; 2])>> =
+        let mut leaning: Vec<Vec<(Vec3, [f64; 2])>> =
             vec![Vec::new(); rest.len() * usize::from(!stiffeners.is_empty())];
         for (number, stiffener) in stiffeners.iter().enumerate() {
-            let Stiffener { particles, section, height, mass } = stiffener;
+            let Stiffener { particles, section, height, mass, in_surface } = stiffener;
             stiffener.check(number)?;
             check_set("a stiffener", particles.iter().copied(), reference)?;
-            for ends in line::edges(&reference.cloud, particles, number)? {
+            let edges = line::edges(&reference.cloud, particles, number)?;
+            if let Some(lateral) = in_surface {
+                turns.extend(bends::turns(&reference.cloud, &rest, &edges, (number, *height), lateral)?);
+            }
+            for ends in edges {
                 let [a, b] = ends.map(|end| vectors(&rest[end as usize]));
                 let length = (b[0] - a[0]).norm();
                 let at_rest = BarPlacement {
@@ -147,7 +161,7 @@ impl Stiffeners {
                     let as_thick = section.gyration.max(own * own / 12.0);
                     reference.inertias[end as usize] += half * (height * height + as_thick);
                     let inertias = [half * section.bending / section.axial, half * aside];
-                    turns[end as usize].push((at_rest.x1, inertias));
+                    leaning[end as usize].push((at_rest.x1, inertias));
                 }
                 pieces.push(Piece { ends, length, bar, number });
             }
@@ -156,8 +170,8 @@ impl Stiffeners {
         let at = |(a, bars): (usize, &Vec<(Vec3, [f64; 2])>)| {
             (!bars.is_empty()).then(|| Turning::new(a as u32, &reference.cloud.frames[a], bars))
         };
-        let turning = turns.iter().enumerate().filter_map(at).collect();
-        Ok(Self { pieces, turning })
+        let turning = leaning.iter().enumerate().filter_map(at).collect();
+        Ok(Self { pieces, turns, turning })
     }
 
     /// Whether there is none.
@@ -180,6 +194,7 @@ impl Stiffeners {
                 }
             }
         }
+        self.turns.iter().for_each(|turn| turn.add_forces(state, own, rows));
     }
 
     /// Adds the same to the rows of the particles of one who marches the shell; the energy of all pieces over all who do, if it is wanted \[F L\].
@@ -194,18 +209,25 @@ impl Stiffeners {
         }
         let pieces = self.pieces.iter().filter(|piece| own.contains(&(piece.ends[0] as usize)));
         let energies = pieces.map(|piece| [piece.length * piece.bar.energy(&piece.placement(state))]);
-        let [sum] = share.sum(energies);
+        let turns = self.turns.iter().filter(|turn| turn.is_of(&own)).map(|turn| [turn.energy(state)]);
+        let [sum] = share.sum(energies.chain(turns));
         sum
     }
 
     /// Particles that share a block of the tangent.
     pub fn pairs(&self) -> impl Iterator<Item = [u32; 2]> {
-        self.pieces.iter().map(|piece| piece.ends)
+        let of_turn = |turn: &Turn| {
+            let own: Vec<u32> = turn.particles().collect();
+            let all = own.iter().flat_map(|&a| own.iter().map(move |&b| [a, b]));
+            all.filter(|[a, b]| a < b).collect::<Vec<_>>()
+        };
+        self.pieces.iter().map(|piece| piece.ends).chain(self.turns.iter().flat_map(of_turn))
     }
 
     /// Particles that those of a range feel.
     pub fn reads(&self, own: &Range<usize>) -> impl Iterator<Item = u32> {
-        self.pieces.iter().filter(|piece| piece.touches(own)).flat_map(|piece| piece.ends)
+        let pieces = self.pieces.iter().filter(|piece| piece.touches(own)).flat_map(|piece| piece.ends);
+        pieces.chain(self.turns.iter().filter(|turn| turn.touches(own)).flat_map(Turn::particles))
     }
 
     /// Adds the second derivatives of the energy in a state to blocks, with the stresses of another if one is given.
@@ -216,6 +238,7 @@ impl Stiffeners {
         pattern: &BlockPattern,
         blocks: &mut [Block],
     ) {
+        self.turns.iter().for_each(|turn| turn.add_blocks(state, stressed, pattern, blocks));
         for piece in &self.pieces {
             let there = stressed.map(|state| piece.placement(state));
             let tangent = piece.bar.tangent(&piece.placement(state), there.as_ref()) * piece.length;
@@ -289,7 +312,9 @@ impl Shell {
 impl Stiffener {
     fn check(&self, number: usize) -> Result<(), StiffenerError> {
         let BarSection { axial, bending, shear, torsion, gyration } = self.section;
+        let lateral = self.in_surface.as_ref().map_or(1.0, |lateral| lateral.bending);
         let numbers = [
+            ("the bending stiffness in the surface", lateral),
             ("the axial stiffness", axial),
             ("the bending stiffness", bending),
             ("the shear stiffness", shear),

@@ -10,6 +10,7 @@ mod conduction;
 mod drilling;
 mod enclosed;
 mod even_bed;
+mod flat_bars;
 mod heat;
 mod heat_in_time;
 mod inertia;

@@ -49,7 +49,7 @@ fn shell(cloud: Cloud, section: Box<dyn Section>, loads: Vec<Box<dyn Load>>, bar
 fn bar(cloud: &Cloud, y: f64, [width, deep]: [f64; 2], height: f64) -> Stiffener {
     let particles = at(cloud, |x| (x.y - y).abs() < 1e-9);
     let section = BarSection::rectangle([YOUNG, SHEAR], width, deep);
-    Stiffener { particles, section, height, mass: 7800.0 * width * deep }
+    Stiffener { particles, section, height, mass: 7800.0 * width * deep, in_surface: None }
 }
 
 /// The plate of sections.rs on a blade whose upper edge lies in the middle surface: as a bar.
@@ -222,7 +222,7 @@ fn buckling(n: usize, gamma: f64, delta: f64) -> f64 {
         gyration: gamma * bending / (YOUNG * area),
     };
     let particles = at(&cloud, |x| (x.y - 0.5).abs() < 1e-9);
-    let rib = Stiffener { particles, section, height: 0.0, mass: 1.0 };
+    let rib = Stiffener { particles, section, height: 0.0, mass: 1.0, in_surface: None };
     // Even stress: on the end of the bar its own share.
     let pressed = |x: f64| {
         let end = at(&cloud, |p| (p.x - x).abs() < 1e-9);

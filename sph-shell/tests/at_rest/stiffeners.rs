@@ -11,7 +11,7 @@ use nalgebra::Matrix3;
 use shell_kinematics::BarSection;
 use sph_core::{Cloud, Cylinder, EndWeights, Side, Vec3, lattice};
 use sph_shell::{
-    Clamped, Formulation, Gravity, Load, Pressure, Reach, RigidLoad, RigidSet, Shell, ShellError,
+    Clamped, Formulation, Gravity, InSurface, Load, Pressure, Reach, RigidLoad, RigidSet, Shell, ShellError,
     StaticShell, Stiffener, StiffenerError, Supported, SymmetryPlane,
 };
 
@@ -20,26 +20,43 @@ const CELLS: Formulation = Formulation::StressPoint(Reach::Cell);
 /// A rectangle of the material of the tests, without Poisson's ratio.
 fn bar(particles: Vec<u32>, [width, height]: [f64; 2], eccentricity: f64) -> Stiffener {
     let section = BarSection::rectangle([YOUNG, 0.5 * YOUNG], width, height);
-    Stiffener { particles, section, height: eccentricity, mass: DENSITY * width * height }
+    let mass = DENSITY * width * height;
+    Stiffener { particles, section, height: eccentricity, mass, in_surface: None }
 }
 
-/// Two bars that cross, one above and one below.
+/// Bending in the surface of a rectangle.
+fn in_surface([width, height]: [f64; 2]) -> Option<InSurface> {
+    Some(InSurface { bending: YOUNG * height * width.powi(3) / 12.0, held: Vec::new() })
+}
+
+/// Two bars that cross, one above and one below, the second against bending in the surface too.
 fn crossed(cloud: Cloud) -> Shell {
+    crossed_by(cloud, in_surface([0.2, 0.15]))
+}
+
+/// The same, the second bar with what it is against bending in the surface.
+fn crossed_by(cloud: Cloud, lateral: Option<InSurface>) -> Shell {
     let lattice = cloud.lattice.unwrap();
-    let bars = vec![bar(lattice.column(3), [0.1, 0.3], 0.25), bar(lattice.row(2), [0.2, 0.15], -0.2)];
+    let mut bars = vec![bar(lattice.column(3), [0.1, 0.3], 0.25), bar(lattice.row(2), [0.2, 0.15], -0.2)];
+    bars[1].in_surface = lateral;
     Shell::builder(parts(cloud, CELLS, 0.2)).stiffeners(bars).build().unwrap()
 }
 
 /// A bar along an edge of particles that no lattice orders.
 fn along_an_edge(cloud: Cloud) -> Shell {
     let edge = cloud.sides.as_ref().unwrap().edge(Side::U1).to_vec();
-    Shell::builder(parts(cloud, CELLS, 0.2)).stiffeners(vec![bar(edge, [0.1, 0.3], 0.3)]).build().unwrap()
+    let mut own = bar(edge, [0.1, 0.3], 0.3);
+    own.in_surface = in_surface([0.1, 0.3]);
+    Shell::builder(parts(cloud, CELLS, 0.2)).stiffeners(vec![own]).build().unwrap()
 }
 
 #[test]
 fn forces_and_tangent_are_derivatives_of_the_energy() {
-    let bodies =
-        [crossed(curved([7, 6])), crossed(disordered_curved([7, 6])), along_an_edge(scattered_curved(0.45))];
+    let bodies = [
+        crossed(curved([7, 6])),
+        crossed_by(disordered_curved([7, 6]), None),
+        along_an_edge(scattered_curved(0.45)),
+    ];
     for mut body in bodies {
         shake(&mut body, 0.05, 17);
         derivatives_agree(&mut StaticShell::new(body), 0.0, "stiffened");

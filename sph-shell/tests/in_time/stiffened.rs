@@ -6,7 +6,7 @@ use explicit_dynamics::{Clock, Dynamics, Transient};
 use peers::together;
 use shell_kinematics::BarSection;
 use sph_core::Vec3;
-use sph_shell::{Formulation, Parts, Reach, Shell, Stiffener};
+use sph_shell::{Formulation, InSurface, Parts, Reach, Shell, Stiffener};
 
 const CELLS: Formulation = Formulation::StressPoint(Reach::Cell);
 
@@ -15,7 +15,12 @@ fn thrown(counts: [usize; 2], threads: usize) -> Shell {
     let cloud = curved(counts);
     let lattice = cloud.lattice.unwrap();
     let section = BarSection::rectangle([YOUNG, 0.4 * YOUNG], 0.1, 0.3);
-    let bar = |particles, height| Stiffener { particles, section, height, mass: 0.03 * DENSITY };
+    // Bending in the surface as of a flat bar, .3 wide and .1 high.
+    let in_surface = Some(InSurface { bending: YOUNG * 0.1 * 0.027 / 12.0, held: Vec::new() });
+    let bar = |particles, height| {
+        let (mass, in_surface) = (0.03 * DENSITY, in_surface.clone());
+        Stiffener { particles, section, height, mass, in_surface }
+    };
     let bars = vec![bar(lattice.column(counts[0] / 2), 0.25), bar(lattice.row(2), -0.25)];
     let parts = Parts { threads, ..parts(cloud, CELLS, 0.2) };
     let mut body = Shell::builder(parts).stiffeners(bars).build().unwrap();

@@ -1,7 +1,7 @@
 //! The bar of a stiffener of a scene: what it bears, and how it lies.
 
 use shell_kinematics::BarSection;
-use sph_shell::Stiffener;
+use sph_shell::{InSurface, Stiffener};
 
 use crate::scene::{ShellScene, StiffenerScene, StiffenerSection, StiffenerSide};
 
@@ -29,7 +29,8 @@ pub(super) fn described_stiffener(stiffener: &StiffenerScene, shell: &ShellScene
     };
     let half =
         if stiffener.share.get() < 1.0 { format!(", {} of it", stiffener.share) } else { String::new() };
-    format!("a stiffener on {}, {size}, its centroid {height} over the particles{half}", stiffener.on)
+    let bends = if stiffener.in_surface.is_some() { ", bending in the surface too" } else { "" };
+    format!("a stiffener on {}, {size}, its centroid {height} over the particles{half}{bends}", stiffener.on)
 }
 
 /// The bar of a stiffener of a shell, its particles left out; none without an elastic material, which the checks refuse.
@@ -53,5 +54,11 @@ pub(super) fn bar_of(stiffener: &StiffenerScene, shell: &ShellScene) -> Option<S
     let share = stiffener.share.get();
     let [area, height] = area_and_height(stiffener, shell);
     let mass = elastic.density.get() * area * share;
-    Some(Stiffener { particles: Vec::new(), section: whole.part(share), height, mass })
+    let lateral = match stiffener.section {
+        StiffenerSection::Rectangle(own) => own.height.get() * own.width.get().powi(3) / 12.0,
+        StiffenerSection::Profile(own) => own.lateral.get(),
+    };
+    let bending = young * lateral * share;
+    let in_surface = stiffener.in_surface.as_ref().map(|_| InSurface { bending, held: Vec::new() });
+    Some(Stiffener { particles: Vec::new(), section: whole.part(share), height, mass, in_surface })
 }

@@ -1,12 +1,12 @@
 //! The stiffeners of a scene on their particles.
 
-use sph_shell::Stiffener;
+use sph_shell::{InSurface, Stiffener};
 
 use super::bars::bar_of;
 use super::build::Builder;
 use crate::bodies::sets::Sets;
-use crate::scene::Analysis;
 use crate::scene::error::SceneError;
+use crate::scene::{Analysis, StiffenerScene};
 
 impl Builder<'_> {
     /// Where inertia counts, bars give none to particles that follow others: those of rigid sets and of tied edges.
@@ -44,6 +44,37 @@ impl Builder<'_> {
         Ok(())
     }
 
+    /// Particles of a line at which its direction in the surface is held.
+    fn held_ends(
+        &self,
+        sets: &Sets,
+        stiffener: &StiffenerScene,
+        number: usize,
+        line: &[u32],
+    ) -> Result<Vec<u32>, SceneError> {
+        let Some(in_surface) = &stiffener.in_surface else { return Ok(Vec::new()) };
+        let mut held = Vec::new();
+        for (k, on) in in_surface.held.iter().enumerate() {
+            let path = self.scene.body_scope().path(&format!("stiffeners[{number}].in_surface.held[{k}]"));
+            let ends = sets.at(self.scene, &path, on)?.iter().filter(|a| line.contains(a));
+            let before = held.len();
+            held.extend(ends.copied());
+            if held.len() == before {
+                let bound = format!("a set with an end of the line \"{}\"", stiffener.on);
+                let repair = "name the edge or the set at which it ends, or leave it out";
+                return Err(SceneError::Set(self.scene.source.fault(
+                    &path,
+                    &format!("\"{on}\""),
+                    &bound,
+                    repair,
+                )));
+            }
+        }
+        held.sort_unstable();
+        held.dedup();
+        Ok(held)
+    }
+
     /// Bars along lines, in the order of the scene.
     ///
     /// # Errors
@@ -55,7 +86,11 @@ impl Builder<'_> {
             let path = self.scene.body_scope().path(&format!("stiffeners[{i}].on"));
             let particles = sets.at(self.scene, &path, &stiffener.on)?.to_vec();
             self.refuse_hung(sets, &path, &stiffener.on, &particles)?;
-            all.extend(bar_of(stiffener, shell).map(|bar| Stiffener { particles, ..bar }));
+            let held = self.held_ends(sets, stiffener, i, &particles)?;
+            all.extend(bar_of(stiffener, shell).map(|bar| {
+                let in_surface = bar.in_surface.map(|own| InSurface { held, ..own });
+                Stiffener { particles, in_surface, ..bar }
+            }));
         }
         Ok(all)
     }

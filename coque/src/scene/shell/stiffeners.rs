@@ -23,6 +23,17 @@ pub struct StiffenerScene {
     /// Part of it that is modelled: 0.5 on a plane of symmetry that halves it.
     #[serde(default)]
     pub share: StiffenerShare,
+    /// Bends in the surface too; left out, the surface bears that alone.
+    pub in_surface: Option<StiffenerInSurface>,
+}
+
+/// Bending of a stiffener in the surface, about the normal.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StiffenerInSurface {
+    /// Sets with ends of it at which its direction stays as at rest: of a stiffener that is built in there, or crosses a plane of symmetry.
+    #[serde(default)]
+    pub held: Vec<String>,
 }
 
 /// Materials of stiffeners.
@@ -75,7 +86,7 @@ pub struct StiffenerProfile {
     pub inertia: Positive,
     /// Torsion constant J, moment over shear modulus and twist by length \[L⁴\].
     pub torsion: Positive,
-    /// Second moment of area about the normal of the surface \[L⁴\]; counts in rotary inertia and in what twist lengthens.
+    /// Second moment of area about the normal of the surface \[L⁴\]; counts in rotary inertia, in what twist lengthens, and where it bends in the surface.
     #[serde(default)]
     pub lateral: NotNegative,
     /// Area of transverse shear \[L²\]; left out, five sixths of the area.

@@ -18,6 +18,7 @@ pub(super) fn check_stiffeners(scene: &BodyInScene<'_>, shell: &ShellScene, s: &
         check_set_name(scene, &own.path("on"), &stiffener.on)?;
         check_material(stiffener, shell, &own)?;
         check_place(stiffener, shell, &own)?;
+        check_in_surface(scene, stiffener, &own)?;
     }
     if shell.stiffeners.is_empty() {
         return Ok(());
@@ -57,6 +58,22 @@ fn check_material(stiffener: &StiffenerScene, shell: &ShellScene, own: &Scope<'_
     let bound = "`material.elastic` of a stiffener, which is isotropic and elastic";
     let repair = "add material.elastic = { young = …, poisson = …, density = … } to it";
     Err(SceneError::Choice(own.fault("section", &value, bound, repair)))
+}
+
+/// Bending in the surface wants a second moment about its normal, and sets that there are.
+fn check_in_surface(scene: &BodyInScene<'_>, stiffener: &StiffenerScene, own: &Scope<'_>) -> Verdict {
+    let Some(in_surface) = &stiffener.in_surface else { return Ok(()) };
+    for (k, set) in in_surface.held.iter().enumerate() {
+        check_set_name(scene, &own.path(&format!("in_surface.held[{k}]")), set)?;
+    }
+    match stiffener.section {
+        StiffenerSection::Profile(profile) if profile.lateral.get() == 0.0 => {
+            let bound =
+                "`section.profile.lateral` above zero, the second moment about the normal of the surface";
+            Err(own.value("section.profile.lateral", 0.0, bound, "give it, or leave `in_surface` out"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// A side wants a face and a height, an eccentricity neither.
