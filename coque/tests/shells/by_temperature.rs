@@ -102,6 +102,21 @@ fn a_free_plate_is_as_soft_as_it_is_hot() {
     }
 }
 
+/// A conductivity that grows threefold from 0 to 100: `T + T²/100` is linear along the fin (Kirchhoff).
+#[test]
+fn heat_runs_by_kirchhoffs_transform() {
+    let table = "{ reference = 20.0, conductivity = [[0, 1.0], [100, 3.0]] }";
+    let replaced = [
+        ("heat", "[{ on = \"u0\", held = 100.0 }, { on = \"u1\", held = 0.0 }]"),
+        ("material.elastic.by_temperature", table),
+        ("sets", "{ inner = { nearest = [0.025, 0.0, 0.0] } }"),
+        ("curve[+]", "{ name = \"inner\", of = \"temperature\", on = \"inner\" }"),
+    ];
+    let found = done("cooled-fin.toml", &replaced);
+    assert!((last(&found, "root") / (200.0 * 0.003 * 0.05 * 200.0 / 0.1) - 1.0).abs() < 1e-9);
+    assert!((last(&found, "inner") / (50.0 * (7.0_f64.sqrt() - 1.0)) - 1.0).abs() < 1e-9);
+}
+
 #[test]
 fn what_does_not_go_with_the_temperature_is_refused() {
     let given = "expansion = 23e-6   # by kelvin";

@@ -7,7 +7,7 @@
 //! C e = h (⅓(4w − 1) f_0 − ⅓ f_γ + ⅔ d f_1)             less a rule of third order of the same f
 //! ```
 //!
-//! Both stages have the matrix C + d h K, whose factor stays as long as the step does. What a step leaves of a temperature that decays by rate λ goes to zero
+//! Both stages have the matrix C + d h K, whose factor stays as long as the step does; radiation and tables of conductivities take it anew in each. What a step leaves of a temperature that decays by rate λ goes to zero
 //! as λh grows (L-stable): a sudden change does not ring. The estimate solves that matrix too in place of C, else it would see what is damped \[hosea1996\].
 //!
 //! The heat of a step by each way is summed with the weights of the rule, what holds nodes gives the rest of what they store: in all as much enters as is stored,
@@ -30,7 +30,7 @@ const LONGER: f64 = 1.0 / 12.0;
 /// Halvings of an interval: a billionth of it.
 const MOST_HALVINGS: u32 = 30;
 /// Solves of a stage, and after how many of them a factor is made anew.
-const MOST_SOLVES: usize = 40;
+const MOST_SOLVES: usize = 100;
 const OLD: usize = 4;
 
 /// The course of temperatures of a surface in time.
@@ -249,7 +249,8 @@ impl HeatCourse {
                 return Err(ConductionError::NotFound { iterations: solves });
             }
             let old = self.factored != Some(h) || solves > 0 && solves.is_multiple_of(OLD);
-            if old || solves == 0 && !given.radiating.is_empty() {
+            let bent = !(given.radiating.is_empty() && of.tables.is_empty());
+            if old || solves == 0 && bent {
                 let capacity = &self.capacity;
                 self.system.factor(of, given, &values, D * h, |a| capacity[a])?;
                 self.factored = Some(h);
@@ -266,6 +267,7 @@ impl HeatCourse {
     fn take(&mut self, of: &Conduction, trial: Trial, time: f64) -> Result<(), ConductionError> {
         let Trial { values, given, entering, rates, came, stored, error } = trial;
         given.refuse_below_zero(&values)?;
+        of.refuse_beyond_tables(&values)?;
         self.found = of.at(&given, &values, &entering, self.solves);
         for (a, rate) in rates.into_iter().enumerate() {
             let more = self.capacity[a] * rate;

@@ -61,6 +61,18 @@ pub enum ConductionError {
         /// The shortest step \[T\].
         step: f64,
     },
+    /// A cell that is colder or warmer than its table of conductivities knows.
+    #[error(
+        "cell {cell} would be at {temperature:.6}, but its table of conductivities goes from {} to {}; let it go farther", ends[0], ends[1]
+    )]
+    Table {
+        /// The cell.
+        cell: usize,
+        /// Mean of its corners \[Θ\].
+        temperature: f64,
+        /// Ends of the table \[Θ\].
+        ends: [f64; 2],
+    },
     /// Radiation that found no balance.
     #[error(
         "no balance of heat after {iterations} iterations; see whether emissivity, temperatures and absolute zero are in the same units"

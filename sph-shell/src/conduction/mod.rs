@@ -9,7 +9,7 @@
 //! temperature runs free of heat. Sources, films and radiation act at particles, by their areas. Particles of several sheets that are joined are one.
 //!
 //! The heat that enters a particle is a derivative of a convex function of the temperatures, so that there is one answer, and Newton's method finds it; without
-//! radiation in one solve ([`Conduction::steady`]). In time the left side has `ρ c t ∂T/∂t` beside it ([`HeatCourse`]).
+//! radiation in one solve ([`Conduction::steady`]). Cells may conduct by their temperature (tables.rs): then each solve takes what they conduct from the one before. In time the left side has `ρ c t ∂T/∂t` beside it ([`HeatCourse`]).
 
 mod cells;
 mod course;
@@ -17,6 +17,7 @@ mod error;
 mod given;
 mod steady;
 mod system;
+mod tables;
 
 use explicit_dynamics::Amplitude;
 use sph_core::{Cloud, SamplingOperator, Vec3, cell_operator};
@@ -26,6 +27,7 @@ pub use course::HeatCourse;
 pub use error::ConductionError;
 use given::{Changing, Given, What};
 pub use steady::{HeatBalance, Temperatures};
+use tables::Tables;
 
 /// How a cell conducts heat.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,6 +78,8 @@ pub struct Conduction {
     courses: Vec<Amplitude>,
     /// The one by which goes what is given now.
     course: Option<usize>,
+    /// How cells conduct by temperature, where some do.
+    tables: Tables,
 }
 
 impl Conduction {
@@ -107,7 +111,13 @@ impl Conduction {
             changing: Vec::new(),
             courses: Vec::new(),
             course: None,
+            tables: Tables::default(),
         })
+    }
+
+    /// Lets cells conduct by a factor that goes with the mean temperature of their corners, on straight lines between `[temperature, factor]` \[Θ, –\].
+    pub fn by_temperature(&mut self, cells: &[u32], factors: Vec<[f64; 2]>) {
+        self.tables.put(cells, factors, self.cells.len());
     }
 
     /// Lets temperatures and heat that are given meanwhile go by a course in time, which multiplies them; film coefficients and emissivities stay.

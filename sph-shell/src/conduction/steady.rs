@@ -110,6 +110,7 @@ impl Conduction {
             }
         }
         given.refuse_below_zero(&values)?;
+        self.refuse_beyond_tables(&values)?;
         Ok(self.at(given, &values, &entering, iterations))
     }
 
@@ -123,11 +124,13 @@ impl Conduction {
             size[a as usize] += heat.abs();
             level[a as usize] += of_level.abs();
         };
-        for cell in &self.cells {
+        for (c, cell) in self.cells.iter().enumerate() {
+            let factor = self.conducts(c, values);
             for (a, row) in cell.entries[..cell.count].iter().enumerate() {
                 // Rows sum to zero: differences of temperatures alone make heat run.
                 let own = values[cell.nodes[a] as usize];
                 for (b, entry) in row[..cell.count].iter().enumerate() {
+                    let entry = factor * entry;
                     let other = values[cell.nodes[b] as usize];
                     add(cell.nodes[a], -entry * (other - own), entry * other);
                 }
@@ -153,10 +156,11 @@ impl Conduction {
         let held: Vec<f64> =
             given.held.iter().zip(&entering.net).map(|(held, net)| held.map_or(0.0, |_| -net)).collect();
         let balance = HeatBalance { held: 0.0 + held.iter().sum::<f64>(), ..given.enters(values) };
+        let factors = Vec::from_iter((0..self.cells.len()).map(|c| self.conducts(c, values)));
         let values: Vec<f64> = self.node.iter().map(|&a| values[a as usize]).collect();
         let flux = self.operator.gradient(&values).into_iter().enumerate().map(|(c, [g1, g2])| {
             let ([k11, k22, k12], frame) = (self.tensors[c], &self.operator.points[c].frame);
-            -(frame.t1 * (k11 * g1 + k12 * g2) + frame.t2 * (k12 * g1 + k22 * g2))
+            -(frame.t1 * (k11 * g1 + k12 * g2) + frame.t2 * (k12 * g1 + k22 * g2)) * factors[c]
         });
         let flux = flux.collect();
         Temperatures { values, held, flux, balance, iterations }

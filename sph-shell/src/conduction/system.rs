@@ -57,7 +57,8 @@ impl System {
         let mut values = vec![0.0; self.pattern.len()];
         let slot = |row: usize, column: usize| self.pattern.binary_search(&(row, column)).ok();
         let unknown = |a: u32| (self.unknown[a as usize] as usize).checked_sub(1);
-        for cell in &of.cells {
+        for (c, cell) in of.cells.iter().enumerate() {
+            let factor = factor * of.conducts(c, temperatures);
             for a in 0..cell.count {
                 for b in 0..cell.count {
                     let found = unknown(cell.nodes[a]).zip(unknown(cell.nodes[b]));

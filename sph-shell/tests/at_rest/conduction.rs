@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::common::{disordered_flat, flat, scattered_flat};
 use nalgebra::Rotation3;
 use sph_core::{Cloud, Vec3};
-use sph_shell::{Conduction, ConductionError, Conductor, Radiation, Temperatures, spread};
+use sph_shell::{Conduction, ConductionError, Conductor, HeatCourse, Radiation, Temperatures, spread};
 
 const LENGTHS: [f64; 2] = [2.0, 1.5];
 
@@ -307,4 +307,35 @@ fn heat_runs_through_joined_sheets() {
     let through: f64 = far(0).iter().map(|&a| found.held[a as usize]).sum();
     // Three degrees over a length of one, by a width of one half.
     assert!((through - 2.0 * 0.5 * 3.0).abs() < 1e-10);
+}
+
+/// A conductivity of `1 + 2T/100` between 0 and 100: `T + T²/100` is linear (Kirchhoff), at the particles to rounding; in time it ends there.
+#[test]
+fn a_conductivity_that_goes_with_the_temperature_is_kirchhoffs_transform() {
+    let cloud = flat([11, 3], [1.0, 0.2]);
+    let of = |last: f64| {
+        let mut conduction = isotropic(&cloud, 2.0);
+        let cells = Vec::from_iter(0..cloud.cells.len() as u32);
+        conduction.by_temperature(&cells, vec![[0.0, 1.0], [40.0, 1.8], [last, 1.0 + 0.02 * last]]);
+        conduction.hold(&where_(&cloud, |x| x.x < 1e-9), 0.0).unwrap();
+        conduction.hold(&where_(&cloud, |x| x.x > 1.0 - 1e-9), 100.0).unwrap();
+        conduction
+    };
+    let exact = |x: &Vec3| 50.0 * ((1.0 + 8.0 * x.x).sqrt() - 1.0);
+    let conduction = of(100.0);
+    let found = conduction.steady().unwrap();
+    println!("{} solves, off by {:e}", found.iterations, largest(&cloud, &found, exact));
+    assert!(largest(&cloud, &found, exact) < 1e-9, "{}", largest(&cloud, &found, exact));
+    let end = where_(&cloud, |x| x.x > 1.0 - 1e-9);
+    let through: f64 = end.iter().map(|&a| found.held[a as usize]).sum();
+    assert!((through / (2.0 * 0.2 * 200.0) - 1.0).abs() < 1e-10, "{through}");
+    // Along a cell the flux is that of the means: 2 (1 + 2T/100) dT/dx = 400.
+    assert!(found.flux.iter().all(|flux| (flux.x / -400.0 - 1.0).abs() < 1e-9), "{:?}", found.flux[0]);
+    let mut course = HeatCourse::new(&conduction, &all(&cloud), &vec![0.0; cloud.len()]).unwrap();
+    course.advance(&conduction, 4.0, 0.01).unwrap();
+    assert!(largest(&cloud, course.temperatures(), exact) < 1e-3);
+    let (came, stored) = (course.came().held, course.stored());
+    assert!((came / stored - 1.0).abs() < 1e-11, "{came} {stored}");
+    let short = of(90.0).steady();
+    assert!(matches!(short, Err(ConductionError::Table { .. })), "{short:?}");
 }

@@ -24,6 +24,14 @@ impl Builder<'_> {
         let refuse = |path: &str, message: String| model_error(self.scene.source, path, &message);
         let made = Conduction::new(shell.cloud, &conductors);
         let mut conduction = made.map_err(|error| refuse("heat", error.to_string()))?;
+        let scope = self.scene.body_scope();
+        for (number, cells) in self.owned(shell.flat, shell.cells, &scope)?.into_iter().enumerate() {
+            if let Material::Elastic(elastic) = &self.part(number, &scope).0.material
+                && let Some(table) = elastic.by_temperature.as_ref().and_then(|own| own.conductivity.as_ref())
+            {
+                conduction.by_temperature(&cells, table.clone());
+            }
+        }
         for (i, own) in self.scene.scene.heat.iter().enumerate() {
             let put = |conduction: &mut Conduction| self.put(own, i, &thickness, shell, conduction);
             match own.amplitude.clone() {

@@ -16,12 +16,19 @@ pub struct ByTemperature {
     pub poisson: Option<Vec<[f64; 2]>>,
     /// Factors of `expansion`, the mean one between `reference` and the temperature (the secant).
     pub expansion: Option<Vec<[f64; 2]>>,
+    /// Factors of `conductivity`, in a cell that of its temperature as heat runs.
+    pub conductivity: Option<Vec<[f64; 2]>>,
 }
 
 impl ByTemperature {
     /// The tables that are given, by the names of their keys.
     pub(crate) fn tables(&self) -> impl Iterator<Item = (&'static str, &[[f64; 2]])> {
-        let tables = [("young", &self.young), ("poisson", &self.poisson), ("expansion", &self.expansion)];
+        let tables = [
+            ("young", &self.young),
+            ("poisson", &self.poisson),
+            ("expansion", &self.expansion),
+            ("conductivity", &self.conductivity),
+        ];
         tables.into_iter().filter_map(|(key, table)| Some((key, table.as_deref()?)))
     }
 

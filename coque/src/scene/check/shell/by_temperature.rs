@@ -14,8 +14,7 @@ pub(super) fn check_tables(elastic: &Elastic, s: &Scope<'_>) -> Verdict {
     let Some(own) = &elastic.by_temperature else { return Ok(()) };
     s.sized(&format!("{KEY}.reference"), own.reference)?;
     if own.tables().next().is_none() {
-        let repair =
-            "give factors of `young`, `poisson` or `expansion`, such as young = [[20, 1.0], [400, 0.7]]";
+        let repair = "give factors of `young`, `poisson`, `expansion` or `conductivity`, such as young = [[20, 1.0], [400, 0.7]]";
         return Err(SceneError::Missing(s.fault(KEY, "no table", "a table at least", repair)));
     }
     for (key, table) in own.tables() {
@@ -34,10 +33,18 @@ pub(super) fn check_tables(elastic: &Elastic, s: &Scope<'_>) -> Verdict {
             return Err(s.value(&at, "empty or out of order", bound, "sort it by temperature"));
         }
     }
-    if own.expansion.is_some() && elastic.expansion.is_none() {
-        let fault =
-            s.fault("material.elastic.expansion", "nothing", "the number that factors multiply", "add it");
-        return Err(SceneError::Missing(fault));
+    let wanting = [
+        ("expansion", own.expansion.is_some() && elastic.expansion.is_none()),
+        ("conductivity", own.conductivity.is_some() && elastic.conductivity.is_none()),
+    ];
+    if let Some((key, _)) = wanting.into_iter().find(|(_, wanting)| *wanting) {
+        let path = format!("material.elastic.{key}");
+        return Err(SceneError::Missing(s.fault(
+            &path,
+            "nothing",
+            "the number that factors multiply",
+            "add it",
+        )));
     }
     Ok(())
 }
