@@ -53,7 +53,7 @@ if TYPE_CHECKING:
     Box3 = TypedDict("Box3", {"max": Sequence[Union[float, str]], "min": Sequence[Union[float, str]]})
     Branches: TypeAlias = Union[Literal['primary'], Literal['stable'], Literal['stable-reversed']]
     Buckling = TypedDict("Buckling", {"modes": Union[int, str], "prebuckling": NotRequired["Prebuckling"], "sign": NotRequired["Sign"]})
-    ByTemperature = TypedDict("ByTemperature", {"expansion": NotRequired[Sequence[Sequence[Union[float, str]]]], "poisson": NotRequired[Sequence[Sequence[Union[float, str]]]], "reference": Union[float, str], "young": NotRequired[Sequence[Sequence[Union[float, str]]]]})
+    ByTemperature = TypedDict("ByTemperature", {"conductivity": NotRequired[Sequence[Sequence[Union[float, str]]]], "expansion": NotRequired[Sequence[Sequence[Union[float, str]]]], "poisson": NotRequired[Sequence[Sequence[Union[float, str]]]], "reference": Union[float, str], "young": NotRequired[Sequence[Sequence[Union[float, str]]]]})
     Coat = TypedDict("Coat", {"thickness": Union[float, str], "young": Union[float, str]})
     ColumnOfFile: TypeAlias = Union[str, int]
     Combination = TypedDict("Combination", {"name": str, "of": Mapping[str, Union[float, str]], "phases": NotRequired[Mapping[str, Union[float, str]]]})
@@ -145,7 +145,7 @@ if TYPE_CHECKING:
     Hardening_3 = TypedDict("Hardening_3", {"swift": "Swift"})
     Hardening_4 = TypedDict("Hardening_4", {"table": Sequence[Sequence[Union[float, str]]]})
     Hardening: TypeAlias = Union["Hardening_1", "Hardening_2", "Hardening_3", "Hardening_4"]
-    Harmonic = TypedDict("Harmonic", {"base": NotRequired["ShakenBase"], "damping": NotRequired["VibrationDamping"], "frequencies": "Frequencies", "modes": NotRequired[Union[int, str]]})
+    Harmonic = TypedDict("Harmonic", {"base": NotRequired["ShakenBase"], "combinations": NotRequired[Sequence["Combination"]], "damping": NotRequired["VibrationDamping"], "frequencies": "Frequencies", "modes": NotRequired[Union[int, str]]})
     Heat = TypedDict("Heat", {"transient": NotRequired["HeatInTime"]})
     HeatInTime = TypedDict("HeatInTime", {"duration": Union[float, str], "record_every": Union[float, str], "start": NotRequired[Union[float, str]], "tolerance": Union[float, str]})
     HeatScene = TypedDict("HeatScene", {"amplitude": NotRequired["Amplitude"], "edge_flux": NotRequired[Union[float, str]], "film": NotRequired["Film"], "flow": NotRequired[Union[float, str]], "flux": NotRequired[Union[float, str]], "held": NotRequired[Union[float, str]], "on": str, "radiation": NotRequired["RadiationScene"]})
