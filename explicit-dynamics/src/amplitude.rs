@@ -27,6 +27,16 @@ pub enum Amplitude {
 }
 
 impl Amplitude {
+    /// Times at which it turns a corner or ends to change \[T\].
+    pub fn corners(&self) -> Vec<f64> {
+        match self {
+            Self::Constant => Vec::new(),
+            Self::Ramp(duration) | Self::Smooth(duration) => vec![*duration],
+            Self::Table(points) => points.iter().map(|[time, _]| *time).collect(),
+            Self::Sine { growth, .. } => growth.iter().copied().collect(),
+        }
+    }
+
     /// The factor at a time \[T\].
     pub fn value(&self, time: f64) -> f64 {
         match self {

@@ -120,6 +120,13 @@ impl Fluid {
         if let Given::Velocity { course, .. } = &zone.opening.given {
             zone.velocity = course.value(0.0);
         }
+        let inside = |at: &Vec3| (0.0..self.spacing).contains(&zone.distance(at)) && zone.holds(at);
+        let present = self.present.positions.iter().zip(&self.present.velocities);
+        let beside = present.filter(|(at, _)| inside(at)).map(|(_, velocity)| velocity.dot(&into));
+        let (sum, count) = beside.fold((0.0, 0.0), |(sum, count), own| (sum + own, count + 1.0));
+        // The wave that it makes begins with the fluid as it is.
+        zone.asked = sum / f64::max(count, 1.0);
+        zone.asked_mean = zone.asked;
         if along > 0.0 && zone.fed <= 0.0 {
             return Err("has a level below the fluid there; raise it");
         }

@@ -196,7 +196,7 @@ impl Fluid {
             }
         });
         if let Some(openings) = openings {
-            openings.press(boundary, liquid, weight);
+            openings.press(boundary, liquid, weight, formulation.confined);
         }
         boundary.press_copies();
     }

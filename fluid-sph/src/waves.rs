@@ -13,6 +13,9 @@ const FOUND: f64 = 1e-14;
 /// Rounds of Newton's method at most: it doubles its digits from the first.
 const ROUNDS: usize = 50;
 
+/// kd beyond which hyperbolic functions are exponentials to rounding, and would overflow not far from there.
+const DEEP: f64 = 300.0;
+
 /// Waves of one period on water at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Waves {
@@ -50,18 +53,24 @@ impl Waves {
     /// Velocity of their groups \[L/T\].
     pub fn group_velocity(&self) -> f64 {
         let x = self.number_times_depth();
-        0.5 * self.length() / self.period * (1.0 + 2.0 * x / libm::sinh(2.0 * x))
+        0.5 * self.length() / self.period * (1.0 + 2.0 * x / libm::sinh(2.0 * x.min(DEEP)))
     }
 
     /// Height over the stroke of a piston.
     pub fn of_piston(&self) -> f64 {
         let x = self.number_times_depth();
+        if x > DEEP {
+            return 2.0;
+        }
         2.0 * (libm::cosh(2.0 * x) - 1.0) / (libm::sinh(2.0 * x) + 2.0 * x)
     }
 
     /// Height over the stroke, at the surface, of a flap that is hinged at the floor.
     pub fn of_flap(&self) -> f64 {
         let x = self.number_times_depth();
+        if x > DEEP {
+            return 2.0 - 2.0 / x;
+        }
         let by_height = x * libm::sinh(x) - libm::cosh(x) + 1.0;
         4.0 * libm::sinh(x) / x * by_height / (libm::sinh(2.0 * x) + 2.0 * x)
     }
@@ -88,6 +97,8 @@ mod tests {
         assert!((deep.length() / length - 1.0).abs() < 1e-9);
         assert!((deep.group_velocity() / (0.5 * length) - 1.0).abs() < 1e-6);
         assert!((deep.of_piston() - 2.0).abs() < 1e-6);
+        let deepest = waves(3000.0);
+        assert!(deepest.of_piston() == 2.0 && (deepest.of_flap() - 2.0).abs() < 1e-3 && deepest.group_velocity().is_finite());
         let shallow = waves(1e-4);
         let x = std::f64::consts::TAU * 1e-4 / shallow.length();
         assert!((shallow.length() / (9.81_f64 * 1e-4).sqrt() - 1.0).abs() < 1e-4);

@@ -276,9 +276,10 @@ impl Shell {
         Vec3::from_fn(|k, _| f[k] - e[k] + s[k] - b[k] + of_body[k])
     }
 
-    /// The moment that the supports and springs of a particle's director bear: `d × ∂U/∂d` less that of the couple on it \[F L\], for the
-    /// last forces evaluated.
+    /// The moment that the supports and springs of a particle's director bear, `d × ∂U/∂d` less that of the couple on it, and what holds the
+    /// direction of a stiffener there in the surface \[F L\], for the last forces evaluated.
     pub fn reaction_moment(&self, particle: usize) -> Vec3 {
+        let of_bars = self.stiffeners.held_at(&self.motion.state, particle);
         let [f, e, s] = [
             self.internal_force(particle),
             self.external_force(particle),
@@ -293,9 +294,10 @@ impl Shell {
                 - about_first(&self.gathered(particle, |a| self.external_force(a)))
                 + about_first(&self.gathered(particle, |a| self.loading.spring_force(a)))
                 - about_first(&self.dependents.junctions.body_load(particle))
-                + about_first(&self.body_springs().row(particle));
+                + about_first(&self.body_springs().row(particle))
+                + of_bars;
         }
-        self.director(particle).cross(&Vec3::from_fn(|k, _| f[3 + k] - e[3 + k] + s[3 + k]))
+        of_bars + self.director(particle).cross(&Vec3::from_fn(|k, _| f[3 + k] - e[3 + k] + s[3 + k]))
     }
 
     /// Evaluates the internal forces of the present state, and the internal energy if asked for.

@@ -130,25 +130,30 @@ fn vibration_in(
     Ok(Vibration { modes, shift, unstable })
 }
 
-/// What is doubtful about modes in still water that make waves of its surface, by the potential energy of those.
+/// What is doubtful about modes in still water that gravity has a part in.
 fn making_waves(modes: &[Mode], water: &mut InStillWater) -> Option<String> {
     let mut most: Option<(usize, f64)> = None;
     let mut numbers = Vec::new();
     for (number, mode) in modes.iter().enumerate().filter(|(_, mode)| mode.eigenvalue > 0.0) {
-        let share = water.share_of_waves(&mode.shape, mode.eigenvalue).ok()?;
-        if share > WAVES {
+        let share = water.share_of_gravity(&mode.shape, mode.eigenvalue).ok()?;
+        if share.abs() > WAVES {
             numbers.push((number + 1).to_string());
-            if most.is_none_or(|(_, greatest)| share > greatest) {
+            if most.is_none_or(|(_, greatest)| share.abs() > f64::abs(greatest)) {
                 most = Some((number + 1, share));
             }
         }
     }
     let (number, share) = most?;
+    let what = if share.abs() >= 1.0 {
+        format!("mode {number} swings by gravity as much as by the stiffness of the shell: its frequency here is none of it")
+    } else {
+        let way = if share > 0.0 { "higher" } else { "lower" };
+        format!("that of mode {number} may be {:.1} % {way}, or mixed with that of the waves", 50.0 * share.abs())
+    };
     Some(format!(
-        "the free surface of the water bears no pressure, and under gravity mode {number} makes waves of it that hold {share:.3} of its energy (more than \
-         {WAVES} in modes {}): its frequency may be {:.1} % higher, or mixed with that of the waves. March it by [analysis.explicit.transient]",
+        "modes in still water leave out gravity, on waves of its free surface and on faces that move in its pressure at rest; it has more than {WAVES} of \
+         the energy of modes {}: {what}. March it by [analysis.explicit.transient]",
         numbers.join(", "),
-        50.0 * share,
     ))
 }
 

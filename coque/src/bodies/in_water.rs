@@ -14,17 +14,24 @@ pub(crate) struct InStillWater {
     pub scale: f64,
     /// What waves of its surface would swing under \[L/T²\].
     pub gravity: Vec3,
+    /// How each wet face moves along its normal by unknowns, and `ρ A g·n`, n into the water \[F/L\].
+    pub faces: Vec<(Vec<(usize, f64)>, f64)>,
 }
 
 impl InStillWater {
-    /// By which part gravity on the free surface would raise the square of the frequency of a mode of unit mass, about: the potential energy
-    /// of the waves that it makes over its own.
+    /// By which part gravity would raise the square of the frequency of a mode of unit mass, below zero lower it, about: the potential energy of the
+    /// waves that it makes, `½ρg∫ζ² dA`, less that of faces that move in the pressure at rest, `½ρg∫n_z w² dA`, over its own. Of a floor that goes
+    /// up and down as one both are alike.
     ///
     /// # Errors
     /// [`EquilibriumError`] where the factor of the water does not solve.
-    pub fn share_of_waves(&mut self, shape: &[f64], eigenvalue: f64) -> Result<f64, EquilibriumError> {
+    pub fn share_of_gravity(&mut self, shape: &[f64], eigenvalue: f64) -> Result<f64, EquilibriumError> {
         let pressures = self.added.pressures(shape)?;
-        let of_unit = self.water.surface_stiffness(pressures, &self.gravity);
-        Ok(self.scale * self.scale * of_unit / eigenvalue)
+        let of_waves = self.scale * self.scale * self.water.surface_stiffness(pressures, &self.gravity);
+        let of_face = |(along, weight): &(Vec<(usize, f64)>, f64)| {
+            let moved: f64 = along.iter().map(|&(unknown, way)| way * shape[unknown]).sum();
+            weight * moved * moved
+        };
+        Ok((of_waves + self.faces.iter().map(of_face).sum::<f64>()) / eigenvalue)
     }
 }

@@ -14,8 +14,10 @@ use crate::bodies::{FieldSource, Part};
 const MOTION: &str = "displacement";
 /// Its name where it has the numbers of cases.
 const CASE_OF_MOTION: &str = "displacement_in";
-/// Fields that are the same in all cases, or directions.
-const LEFT_OUT: [&str; 6] = ["director", "t1", "nodal_t1", "thickness", "volume", "area"];
+/// Fields that are the same in all cases, directions and labels.
+const LEFT_OUT: [&str; 7] = ["director", "t1", "nodal_t1", "thickness", "volume", "area", "worst_ply"];
+/// Fields whose least number is the worst.
+const LEAST_COUNTS: &str = "reserve_factor";
 
 /// What a frame shows of an envelope.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,9 +26,9 @@ pub enum Extreme {
     Least,
     /// The greatest numbers.
     Greatest,
-    /// The greatest of their sizes.
+    /// The greatest of their sizes, of reserve factors the least.
     Size,
-    /// The number of the case, from 1, that has the greatest size; the first of several.
+    /// The number of the case, from 1, that has that size; the first of several.
     Governing,
 }
 
@@ -120,6 +122,7 @@ impl OfField {
     }
 
     fn take(&mut self, number: f64, numbers: &[f64]) {
+        let least_counts = self.name.ends_with(LEAST_COUNTS);
         let [least, greatest, size, governing] = &mut self.extremes;
         for (i, &x) in numbers.iter().enumerate().take(least.len()) {
             if x < least[i] || least[i].is_nan() {
@@ -128,7 +131,8 @@ impl OfField {
             if x > greatest[i] || greatest[i].is_nan() {
                 greatest[i] = x;
             }
-            if x.abs() > size[i] || size[i].is_nan() {
+            let governs = if least_counts { x.abs() < size[i] } else { x.abs() > size[i] };
+            if governs || size[i].is_nan() {
                 (size[i], governing[i]) = (x.abs(), number);
             }
         }

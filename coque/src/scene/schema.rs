@@ -30,6 +30,7 @@ pub fn schema() -> Value {
         several(types, "Support", "on");
         several(types, "Spring", "to");
         several(types, "Load", "on");
+        several(types, "HeatScene", "on");
         several(types, "Probe", "on");
         let kernels = sph_core::kernels().map(|kernel| kernel.name());
         let curvatures = shell_kinematics::strain_measures().map(|measure| measure.name());

@@ -115,21 +115,27 @@ impl Openings {
         }
     }
 
-    /// Gives the points what the opening says and takes the rest from the fluid, when pressures of boundaries are known; `weight` is ρ₀g \[F/L³\].
-    pub fn press(&mut self, boundary: &mut Boundary, liquid: &Liquid, weight: f64) {
+    /// Gives the points what the opening says and takes the rest from the fluid, when pressures of boundaries are known; `weight` is ρ₀g \[F/L³\],
+    /// `confined` that pressures below zero count.
+    pub fn press(&mut self, boundary: &mut Boundary, liquid: &Liquid, weight: f64, confined: bool) {
         for zone in &mut self.zones {
             let into = zone.opening.into;
             let slot = |point: usize, boundary: &Boundary| {
                 let slot = boundary.sorted.slots[point];
                 (slot != NOWHERE).then_some(slot as usize)
             };
+            // How much of what goes out by itself does: with noise in it, each as it goes, more would than the mean, and the zone grow empty.
+            let mut part = 1.0;
             if !matches!(zone.opening.given, Given::Velocity { .. }) {
-                let (mut flow, mut weights) = (0.0, 0.0);
+                let (mut flow, mut out, mut weights) = (0.0, 0.0, 0.0);
                 for slot in zone.points.clone().filter_map(|point| slot(point, boundary)) {
                     let mean = &boundary.means[slot];
-                    flow += Vec3::from(mean.velocity).dot(&into);
+                    let own = Vec3::from(mean.velocity).dot(&into);
+                    flow += own;
+                    out += own.min(0.0);
                     weights += mean.weight;
                 }
+                part = if out < 0.0 { (flow.min(0.0) / out).min(1.0) } else { 0.0 };
                 zone.velocity = if weights > 0.0 { flow / weights } else { 0.0 };
                 if zone.opening.given == Given::Free {
                     zone.velocity = zone.velocity.min(0.0);
@@ -146,12 +152,13 @@ impl Openings {
                     }
                     _ => {
                         let own = Vec3::from(mean.velocity).dot(&into) / mean.weight;
-                        boundary.velocities[point] = into * own.min(0.0);
+                        boundary.velocities[point] = into * (own.min(0.0) * part);
                     }
                 }
                 if let Given::Pressure { at_level, level } = zone.opening.given {
                     let height = zone.up.dot(&Vec3::from(row.at()));
-                    let pressure = (at_level + weight * (level - height)).max(0.0);
+                    let pressure = at_level + weight * (level - height);
+                    let pressure = if confined { pressure } else { pressure.max(0.0) };
                     let density = liquid.density_at(pressure);
                     row.press(density, pressure / (density * density));
                 }

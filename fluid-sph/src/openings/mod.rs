@@ -58,7 +58,8 @@ impl Openings {
         let since = self.since.iter().flat_map(|at| [at.x, at.y, at.z]);
         let of = |zone: &Zone| {
             let rows = zone.rows.iter().map(|row| row.gone);
-            let own = [zone.velocity, zone.fed, zone.mean, zone.came as f64, zone.went as f64];
+            let numbers = [zone.velocity, zone.fed, zone.mean, zone.asked, zone.asked_mean];
+            let own = numbers.into_iter().chain([zone.came as f64, zone.went as f64]);
             rows.chain(own).collect::<Vec<f64>>()
         };
         flags.chain(since).chain(self.zones.iter().flat_map(of)).collect()
@@ -73,6 +74,7 @@ impl Openings {
         for zone in &mut self.zones {
             zone.rows.iter_mut().for_each(|row| row.gone = number());
             (zone.velocity, zone.fed, zone.mean) = (number(), number(), number());
+            (zone.asked, zone.asked_mean) = (number(), number());
             (zone.came, zone.went) = (number() as u64, number() as u64);
         }
         self.full = false;

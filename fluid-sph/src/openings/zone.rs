@@ -57,6 +57,9 @@ pub(crate) struct Zone {
     /// Depth up to which rows are fed, and its mean over some time \[L\].
     pub fed: f64,
     pub mean: f64,
+    /// Velocity that is asked for, as slow as the depth that is fed, and its mean over the time of that of the depth \[L/T\].
+    pub asked: f64,
+    pub asked_mean: f64,
     /// Box across it \[L\].
     low: Vec3,
     high: Vec3,
@@ -92,6 +95,8 @@ impl Zone {
             count: 0,
             fed: 0.0,
             mean: 0.0,
+            asked: 0.0,
+            asked_mean: 0.0,
             low: Vec3::repeat(f64::INFINITY),
             high: Vec3::repeat(f64::NEG_INFINITY),
             velocity: 0.0,
@@ -189,9 +194,24 @@ impl Zone {
         self.opening.at - self.opening.into * self.depth()
     }
 
-    /// By how much the velocity gives way to a wave that comes out of the fluid: `√(g/h) (h − h̄)`, with which it goes on \[L/T\].
+    /// By how much the velocity gives way to a wave that comes out of the fluid, with which it goes on: `√(g/h) (h − h̄)`, less `u − ū` of the wave
+    /// that it makes itself, whose height goes with the change of what is asked for \[L/T\].
     fn gives_way(&self) -> f64 {
-        if self.follows() { (self.gravity / self.mean).sqrt() * (self.fed - self.mean) } else { 0.0 }
+        if !self.follows() {
+            return 0.0;
+        }
+        (self.gravity / self.mean).sqrt() * (self.fed - self.mean) - (self.asked - self.asked_mean)
+    }
+
+    /// Mean over the rows that are fed of the velocity that is asked for \[L/T\].
+    fn asks(&self) -> f64 {
+        let Given::Velocity { into, profile, .. } = &self.opening.given else { return 0.0 };
+        let (mut sum, mut count) = (0.0, 0.0);
+        for number in (0..self.rows.len()).filter(|&row| self.feeds(row)) {
+            sum += Given::factor(profile, self.height(number));
+            count += 1.0;
+        }
+        if count > 0.0 { into * self.velocity * sum / count } else { 0.0 }
     }
 
     /// Velocity into the fluid at a height \[L/T\].
@@ -227,6 +247,8 @@ impl Zone {
             let depth = depth.min(HIGHEST * self.depth_at_start);
             self.fed += (depth - self.fed) * (dt / (LAG * time)).min(1.0);
             self.mean += (self.fed - self.mean) * (dt / (SLOW * time)).min(1.0);
+            self.asked += (self.asks() - self.asked) * (dt / (LAG * time)).min(1.0);
+            self.asked_mean += (self.asked - self.asked_mean) * (dt / (SLOW * time)).min(1.0);
         }
         let apart = self.apart();
         for number in 0..self.rows.len() {

@@ -11,8 +11,8 @@ const BESIDE: f64 = 0.75;
 /// Distance from where a neighbour should stand within which a particle of a wall takes its place, in spacings: rows lie half a spacing
 /// behind faces and their particles a spacing apart at most; those of a wall along the way are a spacing off.
 const WALL: f64 = 0.8;
-/// How far beyond half a cell a shell may begin that bounds it, in spacings.
-const GAP: f64 = 0.25;
+/// How far beyond half a cell a shell may begin that bounds it, in spacings: as far as a site reaches to its water.
+const GAP: f64 = 0.5 + 1e-6;
 /// Part of a triangle or a line by which it is wider, so that none slips through between two.
 const WIDER: f64 = 1e-9;
 

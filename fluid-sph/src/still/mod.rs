@@ -27,6 +27,11 @@ use sph_core::{CellList, Vec3};
 use self::links::{Link, links};
 use self::sites::{Site, sites};
 
+/// Distance below which a place is that of a particle already, in spacings.
+const FILLED: f64 = 0.49;
+/// Part of gravity across a face of the free surface from which it looks up.
+const UP: f64 = 0.5;
+
 /// Still water with what bounds it.
 #[derive(Clone, Copy, Debug)]
 pub struct StillParts<'a> {
@@ -96,6 +101,24 @@ pub enum StillError {
         /// Where \[L\].
         at: [f64; 3],
     },
+    /// Water and a wall at one place.
+    #[error(
+        "a particle of the fluid stands at [{:.4}, {:.4}, {:.4}], inside of a wall; let the water begin at its face",
+        at[0], at[1], at[2]
+    )]
+    InWall {
+        /// Where \[L\].
+        at: [f64; 3],
+    },
+    /// Water twice at one place.
+    #[error(
+        "two particles of the fluid stand at [{:.4}, {:.4}, {:.4}]: blocks overlap there; let them meet at their sides",
+        at[0], at[1], at[2]
+    )]
+    Twice {
+        /// Where \[L\].
+        at: [f64; 3],
+    },
     /// A particle inside of a shell.
     #[error(
         "a particle of the fluid stands at [{:.4}, {:.4}, {:.4}], inside of the shell; let the water begin at its face",
@@ -142,6 +165,7 @@ impl StillWater {
     pub fn new(parts: &StillParts<'_>) -> Result<Self, StillError> {
         let StillParts { spacing, density, width, positions, .. } = *parts;
         let list = CellList::new(positions, spacing);
+        refuse_filled_places(parts, &list)?;
         let links = links(parts, &list)?;
         let found = sites(parts, &list, &links)?;
         if found.iter().all(Option::is_none) {
@@ -197,6 +221,12 @@ impl StillWater {
         Ok(Self { nodes, cells, pattern, values, sites: numbered, surface, density, spacing })
     }
 
+    /// Faces of the free surface that do not look up, where no wall holds the water: with gravity it would not stay.
+    pub fn hanging(&self, gravity: &Vec3) -> usize {
+        let looks_up = |open: &Open| -gravity.dot(&open.outward) > UP * gravity.norm();
+        if *gravity == Vec3::zeros() { 0 } else { self.surface.iter().filter(|open| !looks_up(open)).count() }
+    }
+
     /// Twice the potential energy of the waves that a unit of a motion makes of the free surface, whose pressures for an acceleration of that
     /// unit are these: `ρ ∫ g·n ζ² dA` with `ζ = 2p/(ρs)` \[F L/L²\].
     pub fn surface_stiffness(&self, pressures: &[f64], gravity: &Vec3) -> f64 {
@@ -206,6 +236,23 @@ impl StillWater {
         };
         self.surface.iter().map(of).sum()
     }
+}
+
+/// Refuses water in a wall, and water twice at one place.
+fn refuse_filled_places(parts: &StillParts<'_>, list: &CellList) -> Result<(), StillError> {
+    let walls = CellList::new(parts.walls, parts.spacing);
+    let mut near = Vec::new();
+    for place in parts.positions {
+        walls.within(place, FILLED * parts.spacing, &mut near);
+        if !near.is_empty() {
+            return Err(StillError::InWall { at: (*place).into() });
+        }
+        list.within(place, FILLED * parts.spacing, &mut near);
+        if near.len() > 1 {
+            return Err(StillError::Twice { at: (*place).into() });
+        }
+    }
+    Ok(())
 }
 
 /// The number of each cell among those that a wet face moves; none for water apart from it.

@@ -16,6 +16,8 @@
 
 use std::f64::consts::SQRT_2;
 
+use explicit_dynamics::Amplitude;
+
 use super::given::Given;
 use super::steady::{Entering, LEFT, ROUNDING, norm};
 use super::system::System;
@@ -27,6 +29,8 @@ const D: f64 = 0.5 * GAMMA;
 const W: f64 = 0.25 * SQRT_2;
 /// Less than this part of what is allowed, and a step of twice the length keeps to it: its estimate goes with the third power.
 const LONGER: f64 = 1.0 / 12.0;
+/// Steps whose lengths differ by less have one factor.
+const SAME: f64 = 1e-9;
 /// Halvings of an interval: a billionth of it.
 const MOST_HALVINGS: u32 = 30;
 /// Solves of a stage, and after how many of them a factor is made anew.
@@ -106,11 +110,21 @@ impl HeatCourse {
         })
     }
 
-    /// Goes on to a time \[T\], in halves of the way so small that the estimate of each step is within a tolerance \[Θ\].
+    /// Goes on to a time \[T\], in halves of the way so small that the estimate of each step is within a tolerance \[Θ\]. A step ends
+    /// wherever a course of what is given has a corner: between them the rule sees all of it.
     ///
     /// # Errors
     /// [`ConductionError`] where no step is short enough, a stage is not solved, or what radiates would be colder than absolute zero.
     pub fn advance(&mut self, of: &Conduction, until: f64, tolerance: f64) -> Result<(), ConductionError> {
+        let within = |time: &f64| self.time < *time && *time < until;
+        let mut ends: Vec<f64> = of.courses.iter().flat_map(Amplitude::corners).filter(within).collect();
+        ends.push(until);
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        ends.into_iter().try_for_each(|end| self.go_on(of, end, tolerance))
+    }
+
+    fn go_on(&mut self, of: &Conduction, until: f64, tolerance: f64) -> Result<(), ConductionError> {
         let (from, length) = (self.time, until - self.time);
         let mut at = 0;
         while at < 1 << self.halvings {
@@ -248,7 +262,9 @@ impl HeatCourse {
             if solves == MOST_SOLVES {
                 return Err(ConductionError::NotFound { iterations: solves });
             }
-            let old = self.factored != Some(h) || solves > 0 && solves.is_multiple_of(OLD);
+            // Lengths of intervals differ by rounding; the residual is that of the step itself.
+            let other = self.factored.is_none_or(|own| (own / h - 1.0).abs() > SAME);
+            let old = other || solves > 0 && solves.is_multiple_of(OLD);
             let bent = !(given.radiating.is_empty() && of.tables.is_empty());
             if old || solves == 0 && bent {
                 let capacity = &self.capacity;

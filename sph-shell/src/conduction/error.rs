@@ -73,9 +73,9 @@ pub enum ConductionError {
         /// Ends of the table \[Θ\].
         ends: [f64; 2],
     },
-    /// Radiation that found no balance.
+    /// Radiation or tables of conductivities that found no balance.
     #[error(
-        "no balance of heat after {iterations} iterations; see whether emissivity, temperatures and absolute zero are in the same units"
+        "no balance of heat after {iterations} iterations; see whether emissivity, temperatures and absolute zero are in the same units, and give tables of conductivities that fall fast more degrees to do so"
     )]
     NotFound {
         /// Iterations made.

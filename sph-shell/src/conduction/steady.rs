@@ -82,6 +82,7 @@ impl Conduction {
         // Where much heat hides little, one solve finds the little.
         while iterations == 0 || left(&system, &entering) > 1.0 {
             if iterations == MOST_ITERATIONS {
+                self.refuse_beyond_tables(&values)?;
                 return Err(ConductionError::NotFound { iterations });
             }
             iterations += 1;

@@ -54,7 +54,8 @@ impl Conduction {
     /// Refuses cells whose temperature is in no table.
     pub(super) fn refuse_beyond_tables(&self, values: &[f64]) -> Result<(), ConductionError> {
         for (cell, own) in self.cells.iter().enumerate() {
-            let Some([first, .., last]) = self.tables.of(cell) else { continue };
+            let table = self.tables.of(cell).unwrap_or_default();
+            let (Some(first), Some(last)) = (table.first(), table.last()) else { continue };
             let temperature = mean(own, values);
             if temperature < first[0] || temperature > last[0] {
                 return Err(ConductionError::Table { cell, temperature, ends: [first[0], last[0]] });

@@ -53,6 +53,15 @@ impl Turn {
         placed(&self.ends, &self.fixed, state)
     }
 
+    /// The moment by which what holds its direction bears it, and where it does; none of a turn between two pieces \[F L\].
+    pub fn held(&self, state: &[Row]) -> Option<(u32, Vec3)> {
+        if self.fixed == Vec3::zeros() {
+            return None;
+        }
+        let forces = self.bend.forces(&self.placement(state));
+        Some((self.ends.first()?.particle, self.fixed.cross(&Vec3::new(forces[0], forces[1], forces[2]))))
+    }
+
     /// Whether particles of a range feel it.
     pub fn touches(&self, own: &Range<usize>) -> bool {
         self.particles().any(|particle| own.contains(&(particle as usize)))

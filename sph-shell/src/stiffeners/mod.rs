@@ -291,6 +291,12 @@ impl Stiffeners {
         sum.map(|sum| if count > 0.0 { sum / count } else { 0.0 })
     }
 
+    /// The moment by which a direction in the surface is held at a particle \[F L\].
+    pub fn held_at(&self, state: &[Row], particle: usize) -> Vec3 {
+        let all = self.turns.iter().filter_map(|turn| turn.held(state));
+        all.filter(|(at, _)| *at as usize == particle).map(|(_, moment)| moment).sum()
+    }
+
     /// What each piece bears in a state.
     pub fn forces(&self, state: &[Row]) -> impl Iterator<Item = BarForce> {
         self.pieces.iter().map(move |piece| piece.bears(state))

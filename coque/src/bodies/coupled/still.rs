@@ -15,6 +15,9 @@ use crate::scene::body_in_scene::{BodyInScene, gravity_on};
 use crate::scene::error::SceneError;
 use crate::scene::{BodyScene, FluidScene};
 
+/// Widths that differ by less are one.
+const ALIKE: f64 = 1e-9;
+
 /// Builds the shells of a scene in its still water.
 pub(in crate::bodies) fn still_model(
     bodies: &[BodyInScene<'_>],
@@ -32,18 +35,30 @@ pub(in crate::bodies) fn still_model(
     let (mut model, wet) = together_in(of_fluid.scene, &shells, Some(wanted), threads)?;
     let refuse =
         |message: &str| body_error(of_fluid, &format!("geometry.{}", wanted.geometry.word()), message);
+    let mut widths = wet.iter().filter_map(|surface| surface.width);
+    let width = widths.next().unwrap_or(1.0);
+    if widths.any(|other| (other - width).abs() > ALIKE * width) {
+        return Err(refuse("shells of several widths stand in a plane fluid; give all of them one width"));
+    }
     let (screens, sites) = (screens(&wet), sites(&wet));
     let parts = StillParts {
         dimensions: wanted.dimensions(),
         spacing: wanted.geometry.spacing(),
         density: wanted.liquid().density.get(),
-        width: wet.iter().find_map(|surface| surface.width).unwrap_or(1.0),
+        width,
         positions: &places::places(wanted),
         walls: &walls,
         screens: &screens,
         sites: &sites,
     };
     let water = StillWater::new(&parts).map_err(|error| refuse(&error.to_string()))?;
+    let gravity = gravity_on(of_fluid.scene, of_fluid.name);
+    let hanging = water.hanging(&gravity);
+    if hanging > 0 {
+        return Err(refuse(&format!(
+            "{hanging} sides of its cells are open that do not look up: still water would not stay there, and bears no pressure; put walls at its sides and below"
+        )));
+    }
     let scale = scale(&water, &mut model);
     let added = added(&water, &wet, scale).map_err(|error| refuse(&error.to_string()))?;
     model.description.modelled.push(format!(
@@ -55,8 +70,8 @@ pub(in crate::bodies) fn still_model(
     ));
     let left = "compression and friction of the water, waves that gravity makes of its surface, its pressure at rest";
     model.description.left_out.push(left.into());
-    let gravity = gravity_on(of_fluid.scene, of_fluid.name);
-    model.water = Some(Box::new(InStillWater { water, added, scale, gravity }));
+    let faces = weighed(&water, &wet, parts.density, &gravity);
+    model.water = Some(Box::new(InStillWater { water, added, scale, gravity, faces }));
     Ok(model)
 }
 
@@ -85,6 +100,24 @@ fn sites(wet: &[WetSurface]) -> Vec<WetSite> {
 /// Wet faces with the sign of their normal along the director.
 fn faces(wet: [bool; 2]) -> impl Iterator<Item = (usize, f64)> {
     [(0, 1.0), (1, -1.0)].into_iter().filter(move |&(face, _)| wet[face])
+}
+
+/// Wet faces in the pressure at rest, which is less where they have gone up: how each moves along its normal, and `ρ A g·n`, n into the
+/// water \[F/L\].
+fn weighed(water: &StillWater, wet: &[WetSurface], density: f64, gravity: &Vec3) -> Vec<(Vec<(usize, f64)>, f64)> {
+    let (mut found, mut site) = (Vec::new(), 0);
+    for surface in wet {
+        for (column, along) in surface.columns.iter().zip(&surface.along) {
+            for (_, sign) in faces(column.wet) {
+                if water.sites[site].is_some() {
+                    let weight = density * column.area * sign * gravity.dot(&column.normal);
+                    found.push((along.iter().copied().collect(), weight));
+                }
+                site += 1;
+            }
+        }
+    }
+    found
 }
 
 /// A power of two by whose square the Laplacian of the water is as great as the stiffness of the shells, the mass of a particle by the square of the fastest

@@ -152,10 +152,11 @@ fn lists(
         .extend(scene.shell.masses.iter().map(|lumped| format!("mass of {} on {}", lumped.mass, lumped.on)));
     modelled.extend(scene.shell.ties.iter().map(|tie| format!("{} tied to {}", tie.edge, tie.to)));
     modelled.extend(scene.shell.stiffeners.iter().map(|bar| described_stiffener(bar, scene.shell)));
+    if scene.shell.stiffeners.iter().any(|bar| bar.in_surface.is_none()) {
+        left_out.push("bending of stiffeners in the surface".into());
+    }
     if !scene.shell.stiffeners.is_empty() {
-        left_out.push(
-            "bending of stiffeners in the surface, inertia of their heights beside rotary inertia".into(),
-        );
+        left_out.push("inertia of the heights of stiffeners beside rotary inertia".into());
     }
     modelled.extend(scene.shell.rigid.iter().map(|body| match body.mass.get() > 0.0 {
         true => format!("{} rigid, with a mass of {}", body.on, body.mass),

@@ -59,6 +59,7 @@ impl Builder<'_> {
             let ends = sets.at(self.scene, &path, on)?.iter().filter(|a| line.contains(a));
             let before = held.len();
             held.extend(ends.copied());
+            self.refuse_moved(sets, &path, on, &held[before..])?;
             if held.len() == before {
                 let bound = format!("a set with an end of the line \"{}\"", stiffener.on);
                 let repair = "name the edge or the set at which it ends, or leave it out";
@@ -73,6 +74,39 @@ impl Builder<'_> {
         held.sort_unstable();
         held.dedup();
         Ok(held)
+    }
+
+    /// Refuses to hold the direction of a bar where it goes with a rigid set, a tied edge or a support that turns, or where nothing stands still.
+    fn refuse_moved(&self, sets: &Sets, path: &str, on: &str, held: &[u32]) -> Result<(), SceneError> {
+        let scope = self.scene.body_scope();
+        let shell = self.scene.shell;
+        let rigid = shell.rigid.iter().enumerate().map(|(k, own)| (format!("rigid[{k}].on"), &own.on));
+        let tied = shell.ties.iter().enumerate().map(|(k, own)| (format!("ties[{k}].edge"), &own.edge));
+        for (key, set) in rigid.chain(tied) {
+            let members = sets.at(self.scene, &scope.path(&key), set)?;
+            if held.iter().any(|a| members.contains(a)) {
+                let bound = format!("an end that stands still, not one of `{key}`, which goes where its owner goes");
+                let fault = self.scene.source.fault(path, &format!("\"{on}\""), &bound, "leave it out of `held`");
+                return Err(SceneError::Set(fault));
+            }
+        }
+        let mut still: Vec<u32> = Vec::new();
+        for support in &self.scene.supports {
+            let members = sets.at(self.scene, &support.at("on"), &support.on)?;
+            let turns = support.turned.is_some() || support.rotated.is_some();
+            if turns && held.iter().any(|a| members.contains(a)) {
+                let bound = "an end that stands still, not one that a support turns";
+                let fault = self.scene.source.fault(path, &format!("\"{on}\""), bound, "leave it out of `held`");
+                return Err(SceneError::Set(fault));
+            }
+            still.extend(members);
+        }
+        if held.iter().any(|a| !still.contains(a)) {
+            let bound = "an end with a support: what holds its direction holds its place";
+            let fault = self.scene.source.fault(path, &format!("\"{on}\""), bound, "add a support there, or leave it out");
+            return Err(SceneError::Set(fault));
+        }
+        Ok(())
     }
 
     /// Bars along lines, in the order of the scene.

@@ -189,6 +189,7 @@ fn check_without_mechanics(scene: &BodyInScene<'_>, shell: &ShellScene) -> Verdi
         ("initial_stress", shell.initial_stress.is_empty()),
         ("tools", shell.tools.is_empty()),
         ("masses", shell.masses.is_empty()),
+        ("stiffeners", shell.stiffeners.is_empty()),
         ("rigid", shell.rigid.is_empty()),
         ("velocity", shell.velocity.is_none()),
         ("output.fields", !fields.is_some_and(Fields::shows_stresses)),

@@ -23,7 +23,7 @@ pub(super) fn no_work(look: &Look<'_>) -> Option<String> {
     (idle > 0).then(|| {
         let first = shares.iter().position(|share| share.is_none_or(|share| share < NO_WORK)).unwrap_or(0);
         let why = match shares[first] {
-            None => "it is zero, or a couple along the directors",
+            None => "it is zero",
             Some(_) => "every freedom it acts on is held by a support",
         };
         format!(

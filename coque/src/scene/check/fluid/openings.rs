@@ -108,10 +108,19 @@ fn check_given(
     if let Some(velocity) = velocity {
         s.sized(&path("velocity"), *velocity)?;
         let sound = fluid.liquid().sound_speed.get();
-        if sound < LEAST * velocity.abs() {
-            let bound = format!("at most {:.4}, a {LEAST}th of the speed of sound", sound / LEAST);
-            let repair = format!("raise material.liquid.sound_speed to {:.4}", 10.0 * velocity.abs());
-            return Err(s.value(&path("velocity"), velocity, &bound, &repair));
+        let of_profile = profile.iter().flatten().map(|pair| pair[1].abs()).reduce(f64::max).unwrap_or(1.0);
+        let of_course = match amplitude {
+            Amplitude::Table(points) => points.iter().map(|point| point[1].abs()).fold(0.0, f64::max),
+            _ => 1.0,
+        };
+        let most = velocity.abs() * of_profile * of_course;
+        if sound < LEAST * most {
+            let bound = format!(
+                "at most {:.4} with the factors of its profile and its course, a {LEAST}th of the speed of sound",
+                sound / LEAST
+            );
+            let repair = format!("raise material.liquid.sound_speed to {:.4}", 10.0 * most);
+            return Err(s.value(&path("velocity"), most, &bound, &repair));
         }
         check_amplitude(view, &s.path(&path("amplitude")), amplitude)?;
     }
@@ -144,9 +153,15 @@ fn check_given(
             let bound = "left out unless gravity lies along the opening: else nothing there has a level";
             return Err(s.value(&path("level"), level, bound, repair));
         }
+        check_level(s, &path("level"), fluid, *level, gravity)?;
     }
     if let Some(pressure) = pressure {
         s.sized(&path("pressure"), *pressure)?;
+        if *pressure < 0.0 && !fluid.formulation.options().confined {
+            let bound = "zero or more, unless the fluid is `confined`: else no pressure below zero acts";
+            let repair = "raise all pressures alike, or set formulation.weakly-compressible.confined = true";
+            return Err(s.value(&path("pressure"), pressure, bound, repair));
+        }
         if gravity.norm() > 0.0 {
             let repair = "give `level`: the height up to which water of that pressure would stand";
             return Err(s.value(&path("pressure"), pressure, "left out under gravity", repair));
@@ -157,4 +172,26 @@ fn check_given(
         }
     }
     Ok(())
+}
+
+/// Refuses levels from which water falls faster than the speed of sound allows.
+fn check_level(s: &Scope<'_>, path: &str, fluid: &FluidScene, level: f64, gravity: &Vec3) -> Verdict {
+    let up = -gravity.normalize();
+    let lowest = |extent: Extent| {
+        let ends = |axis: usize| {
+            let near = up[axis] * extent.least[axis];
+            near.min(near + up[axis] * extent.lengths[axis])
+        };
+        (0..3).map(ends).sum::<f64>()
+    };
+    let bottom = fluid.geometry.extents().into_iter().map(lowest).fold(f64::INFINITY, f64::min);
+    let sound = fluid.liquid().sound_speed.get();
+    let fall = (2.0 * gravity.norm() * (level - bottom).max(0.0)).sqrt();
+    if sound >= LEAST * fall {
+        return Ok(());
+    }
+    let highest = bottom + (sound / LEAST).powi(2) / (2.0 * gravity.norm());
+    let bound = format!("at most {highest:.4}, from which water falls at a {LEAST}th of the speed of sound");
+    let repair = format!("raise material.liquid.sound_speed to {:.4}", 10.0 * fall);
+    Err(s.value(path, level, &bound, &repair))
 }

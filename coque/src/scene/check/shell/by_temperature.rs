@@ -1,11 +1,13 @@
 //! Checks of numbers that go with the temperature: their tables, and what heats the shell.
 
+use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::loads::{Load, Temperature};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
 use crate::scene::shell::material::{Elastic, Material};
+use crate::scene::statics::{Relaxation, Static};
 
 const KEY: &str = "material.elastic.by_temperature";
 
@@ -72,9 +74,9 @@ pub(in crate::scene::check) fn check_tabled_load(
         _ => None,
     };
     let parts = (0..shell.parts.len()).map(|i| shell.in_part(i));
-    let Some(reference) = std::iter::once(shell.clone()).chain(parts).find_map(|own| tabled(&own)) else {
-        return Ok(());
-    };
+    let references: Vec<f64> =
+        std::iter::once(shell.clone()).chain(parts).filter_map(|own| tabled(&own)).collect();
+    let Some(&reference) = references.first() else { return Ok(()) };
     let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
         Err(SceneError::Choice(scene.scope().fault(&load.at(key), value, bound, repair)))
     };
@@ -89,6 +91,11 @@ pub(in crate::scene::check) fn check_tabled_load(
         let bound = "none where numbers go with the temperature: cases would have moduli of their own";
         return refuse("case", "a load case", bound, "remove it, and run each case as a scene");
     }
+    if let Some(other) = references.iter().find(|own| **own != reference) {
+        let bound = format!("{reference} everywhere: changes of temperature count from it");
+        return Err(scene.scope().value(&format!("{KEY}.reference"), *other, &bound, "write the same"));
+    }
+    check_full_load(scene, load)?;
     match temperature.conducted {
         Some(own) if own.over != reference => {
             let bound =
@@ -102,4 +109,33 @@ pub(in crate::scene::check) fn check_tabled_load(
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses analyses in which the load is not there once in full, whose temperatures the numbers are of.
+fn check_full_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Verdict {
+    let refuse = |key: &str, value: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(scene.scope().fault(key, value, bound, repair)))
+    };
+    if load.preload {
+        return Ok(());
+    }
+    let shakes = match &scene.analysis {
+        Analysis::Harmonic(_) | Analysis::ResponseSpectrum(_) | Analysis::RandomVibration(_) => true,
+        // What nothing holds is warm without stress.
+        Analysis::Modal(_) => !scene.supports.is_empty(),
+        Analysis::Static(Static { levels, .. }) | Analysis::Relaxation(Relaxation { levels, .. }) => {
+            if levels.values().into_iter().any(|level| level > 1.0) {
+                let bound = "levels up to one where numbers go with the temperature: they are those of the full load";
+                let repair = "multiply the load itself, or add `preload = true` to the temperature";
+                return refuse(&format!("analysis.{}.levels", scene.analysis.kind().name), "a level beyond one", bound, repair);
+            }
+            false
+        }
+        _ => false,
+    };
+    if shakes {
+        let bound = "one with `preload = true` where numbers go with it: what vibrates is warm and stressed by it";
+        return refuse(&load.at("temperature"), "a temperature", bound, "add `preload = true` to the load");
+    }
+    Ok(())
 }
