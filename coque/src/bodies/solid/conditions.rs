@@ -172,6 +172,14 @@ pub(super) fn loads(
             let weight = |&node: &u32| (node, acceleration * (density * block.volumes[node as usize]));
             nodes.iter().map(weight).collect()
         });
+        let by_area = load.traction.as_ref().is_some_and(|own| own.depth.is_none())
+            || load.pressure.as_ref().is_some_and(|own| !own.follower);
+        if by_area && sets.facets(load.on, nodes, &planes).is_some_and(|facets| facets.is_empty()) {
+            let bound = "a set at the surface: nothing of it lies at these nodes";
+            let repair = "use `surface`, x0 to z1, a group of the file, or a region that holds a part of the surface";
+            let fault = sets.scene().source.fault(&load.at("on"), &format!("\"{}\"", load.on), bound, repair);
+            return Err(SceneError::Set(fault));
+        }
         let traction = load.traction.iter().map(|traction| match sets.facets(load.on, nodes, &planes) {
             Some(facets) if traction.depth.is_none() => {
                 on_surface(facets, &|area| Vec3::from(traction.value) * area.norm())
@@ -200,8 +208,13 @@ pub(super) fn following(
     let mut out = Vec::new();
     for load in &scene.loads {
         let Some(pressure) = load.pressure.as_ref().filter(|pressure| pressure.follower) else { continue };
-        let nodes = sets.at(&load.at("on"), load.on)?;
-        out.extend(sets.carried(load.on, nodes).map(|surface| FollowingPressure {
+        if !sets.names(load.on) {
+            let bound = "a part of the surface that has a name: only such parts have borders that a pressure can follow";
+            let repair = "use `surface`, x0 to z1, or a group of the file, or remove `follower`";
+            let fault = sets.scene().source.fault(&load.at("on"), &format!("\"{}\"", load.on), bound, repair);
+            return Err(SceneError::Set(fault));
+        }
+        out.extend(sets.carried(load.on).map(|surface| FollowingPressure {
             surface,
             pressure: pressure.value(),
             amplitude: load.amplitude.clone().unwrap_or_default(),

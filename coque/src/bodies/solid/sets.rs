@@ -111,8 +111,13 @@ impl<'a> NodeSets<'a> {
     }
 
     /// The same as the nodes carry it.
-    pub fn carried(&self, name: &str, nodes: &[u32]) -> Option<Carried> {
-        self.skin.map(|skin| skin.carried(self.block, name, nodes))
+    pub fn carried(&self, name: &str) -> Option<Carried> {
+        self.skin.and_then(|skin| skin.carried(self.block, name))
+    }
+
+    /// Whether a part of the surface has this name; true of a solid without a surface.
+    pub fn names(&self, name: &str) -> bool {
+        self.skin.is_none_or(|skin| skin.names(name))
     }
 
     /// The nodes within a depth of a face of the block.

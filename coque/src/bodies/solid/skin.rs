@@ -152,14 +152,11 @@ impl Skin {
         })
     }
 
-    /// The part of the surface that has this name, else what of it is nearest to the nodes of a set, as the nodes of a block carry it.
-    pub fn carried(&self, block: &Block, name: &str, nodes: &[u32]) -> Carried {
-        let held: BTreeSet<u32> = nodes.iter().copied().collect();
+    /// The part of the surface that has this name, as the nodes of a block carry it; none where no part has.
+    pub fn carried(&self, block: &Block, name: &str) -> Option<Carried> {
+        let part = self.parts.get(name)?;
         let all = self.surface.carried(block, block.greatest_spacing());
-        all.only(|number| match self.parts.get(name) {
-            Some(part) => part[all.part_of[number] as usize],
-            None => held.contains(&all.nearest[number]),
-        })
+        Some(all.only(|number| part[all.part_of[number] as usize]))
     }
 
     /// What of the body lies in fins without nodes, where that is much.

@@ -1,6 +1,7 @@
 //! Sharp edges and corners of a surface: nodes beside them go there, so that a face that is held has nodes all along its border.
 //!
-//! An edge of a flat side of the box round the body is none: that may be a plane of symmetry, behind which the surface goes on.
+//! An edge of a flat side of the box round the body in which corners of the lattice lie is none: that may be a plane of symmetry, behind which the surface
+//! goes on, and they stay in it.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -10,8 +11,11 @@ use crate::Vec3;
 
 /// Cosine of the angle between two normals from which an edge is sharp: 40 degrees, more than those of a circle in nine parts.
 const SHARP: f64 = 0.766;
-/// Distance within which a node goes to a corner or an edge, in spacings.
+/// Distance within which a node goes to an edge, in spacings: of a right edge, whose cells are nodes from half full on, the mean of the nearest places of
+/// both faces is no farther off, `½ √2 · √½`.
 const BESIDE: f64 = 0.5;
+/// The same of a corner, by the mean of three faces, `⅔ √3 · ∛½` and rounding.
+const BESIDE_CORNER: f64 = 0.92;
 /// Difference of distances that is rounding, in spacings.
 const AS_NEAR: f64 = 1e-9;
 /// Sharp edges that make a corner.
@@ -24,11 +28,12 @@ pub(super) struct Features {
 }
 
 impl Features {
-    pub fn new(surface: &ClosedSurface, laid: &Laid) -> Self {
+    pub fn new(surface: &ClosedSurface, laid: &Laid, spacing: f64) -> Self {
         let normals = surface.normals();
         let mut seen: HashMap<(u32, u32), usize> = HashMap::new();
         let mut edges = BTreeSet::new();
-        let flat = |triangle: usize| laid.flat.iter().any(|side| side[triangle]);
+        let in_lattice = [0, 1, 2, 3, 4, 5].map(|side| laid.in_lattice(side, spacing));
+        let flat = |triangle: usize| (0..6).any(|side| in_lattice[side] && laid.flat[side][triangle]);
         for (number, &[a, b, c]) in surface.triangles.iter().enumerate() {
             for (a, b) in [(a, b), (b, c), (c, a)] {
                 let edge = (a.min(b), a.max(b));
@@ -60,20 +65,20 @@ impl Features {
         let at = |vertex: u32| surface.vertices[vertex as usize];
         let of = || triangles.iter().map(|&triangle| surface.triangles[triangle as usize]);
         let corners = of().flatten().filter(|corner| self.corners.contains(corner)).map(at);
-        if let Some(corner) = nearest(x, spacing, corners) {
+        if let Some(corner) = nearest(x, BESIDE_CORNER, spacing, corners) {
             return Some((corner, true));
         }
         let edges = of().flat_map(|[a, b, c]| [(a, b), (b, c), (c, a)]);
         let sharp = edges.filter(|&(a, b)| self.edges.contains(&(a.min(b), a.max(b))));
-        let place = nearest(x, spacing, sharp.map(|(a, b)| on_edge(x, [at(a.min(b)), at(a.max(b))])))?;
+        let place = nearest(x, BESIDE, spacing, sharp.map(|(a, b)| on_edge(x, [at(a.min(b)), at(a.max(b))])))?;
         Some((place, false))
     }
 }
 
-/// The nearest of places beside x; none where two are as near.
-fn nearest(x: &Vec3, spacing: f64, places: impl Iterator<Item = Vec3>) -> Option<Vec3> {
+/// The nearest of places within so many spacings of x; none where two are as near.
+fn nearest(x: &Vec3, beside: f64, spacing: f64, places: impl Iterator<Item = Vec3>) -> Option<Vec3> {
     let mut all: Vec<(f64, Vec3)> = places.map(|place| ((place - x).norm(), place)).collect();
-    all.retain(|own| own.0 <= BESIDE * spacing);
+    all.retain(|own| own.0 <= beside * spacing);
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (least, place) = *all.first()?;
     let slack = AS_NEAR * spacing;

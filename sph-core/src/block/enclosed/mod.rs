@@ -73,6 +73,22 @@ struct Laid {
     origin: Vec3,
 }
 
+impl Laid {
+    /// Where a side of the box is \[L\].
+    fn plane(&self, side: usize) -> f64 {
+        let axis = side / 2;
+        self.bounds.origin[axis] + if side % 2 == 1 { self.bounds.lengths[axis] } else { 0.0 }
+    }
+
+    /// Whether the outermost corners of the lattice lie in a side of the box.
+    fn in_lattice(&self, side: usize, spacing: f64) -> bool {
+        let axis = side / 2;
+        let end = if side % 2 == 1 { self.counts[axis] } else { 0 };
+        let lattice = self.origin[axis] + end as f64 * spacing;
+        (lattice - self.plane(side)).abs() <= IN_PLANE * spacing
+    }
+}
+
 impl ClosedSurface {
     /// The box round it, as a lattice of this spacing.
     pub fn bounds(&self, spacing: f64) -> BlockLattice {

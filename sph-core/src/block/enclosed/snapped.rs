@@ -50,7 +50,7 @@ pub(super) fn snap(
     (is_node, triangles): (&[bool], &[Vec<u32>]),
 ) -> Snapped {
     let corners = laid.counts.map(|count| count + 1);
-    let features = Features::new(surface, laid);
+    let features = Features::new(surface, laid, spacing);
     let net = Net { surface, laid, spacing, cut, is_node, triangles, features };
     let mut moved = Vec::new();
     let mut at = 0;
@@ -149,18 +149,15 @@ impl Net<'_> {
         let near = self.near(at);
         let kept = if all { &[][..] } else { &flat };
         let found = self.nearest(&place, &near, kept).or_else(|| self.nearest(&place, &near, &[]));
-        let (mut to, mut triangles) = found.unwrap_or((place, Vec::new()));
-        let mut rank = 2;
+        let (mut to, mut rank) = (found.unwrap_or(place), 2);
         let beside = self.features.beside(self.surface, (&to, self.spacing), &near);
         if let Some((sharp, corner)) = beside.filter(|_| flat.is_empty()) {
-            (to, triangles, rank) = (sharp, Vec::new(), if corner { 0 } else { 1 });
+            (to, rank) = (sharp, if corner { 0 } else { 1 });
         }
-        triangles.extend(near.iter().filter(|&&number| {
-            let on = on_triangle(&to, self.corners(number));
-            (on - to).norm() <= ON_SURFACE * self.spacing
-        }));
-        triangles.sort_unstable();
-        triangles.dedup();
+        let lies_on = |&number: &u32| {
+            (on_triangle(&to, self.corners(number)) - to).norm() <= ON_SURFACE * self.spacing
+        };
+        let triangles = near.iter().copied().filter(lies_on).collect();
         let far = (1e6 * (to - place).norm() / self.spacing).round() as u64;
         Some(Moved { corner, place: to, rank, far, triangles })
     }
@@ -169,16 +166,9 @@ impl Net<'_> {
     fn lies_in(&self, side: usize, at: [usize; 3]) -> bool {
         let (axis, upper) = (side / 2, side % 2 == 1);
         let end = if upper { self.laid.counts[axis] } else { 0 };
-        let lattice = self.laid.origin[axis] + end as f64 * self.spacing;
         at[axis] == end
             && self.laid.flat[side].contains(&true)
-            && (lattice - self.plane(side)).abs() <= IN_PLANE * self.spacing
-    }
-
-    /// Where a side of the box is \[L\].
-    fn plane(&self, side: usize) -> f64 {
-        let (bounds, axis) = (&self.laid.bounds, side / 2);
-        bounds.origin[axis] + if side % 2 == 1 { bounds.lengths[axis] } else { 0.0 }
+            && self.laid.in_lattice(side, self.spacing)
     }
 
     fn corners(&self, triangle: u32) -> [Vec3; 3] {
@@ -198,14 +188,14 @@ impl Net<'_> {
         out
     }
 
-    /// The place of the surface that is nearest to x, of its edges and corners in flat sides where x is to stay in them, with its triangles.
-    fn nearest(&self, x: &Vec3, near: &BTreeSet<u32>, stays: &[usize]) -> Option<(Vec3, Vec<u32>)> {
+    /// The place of the surface that is nearest to x, of its edges and corners in flat sides where x is to stay in them.
+    fn nearest(&self, x: &Vec3, near: &BTreeSet<u32>, stays: &[usize]) -> Option<Vec3> {
         let lies =
-            |p: &Vec3, side: &usize| (p[side / 2] - self.plane(*side)).abs() <= IN_PLANE * self.spacing;
-        let mut found: Vec<(f64, Vec3, u32)> = Vec::new();
+            |p: &Vec3, side: &usize| (p[side / 2] - self.laid.plane(*side)).abs() <= IN_PLANE * self.spacing;
+        let mut found: Vec<(f64, Vec3)> = Vec::new();
         for &triangle in near {
             let corners = self.corners(triangle);
-            let mut add = |place: Vec3| found.push(((place - x).norm(), place, triangle));
+            let mut add = |place: Vec3| found.push(((place - x).norm(), place));
             if stays.is_empty() {
                 add(on_triangle(x, corners));
                 continue;
@@ -225,12 +215,11 @@ impl Net<'_> {
         let slack = AS_NEAR * self.spacing;
         found.retain(|own| own.0 <= least + slack);
         let mut places: Vec<Vec3> = Vec::new();
-        for (_, place, _) in &found {
+        for (_, place) in &found {
             if places.iter().all(|other| (other - place).norm() > slack) {
                 places.push(*place);
             }
         }
-        let mean = places.iter().sum::<Vec3>() / places.len() as f64;
-        Some((mean, found.into_iter().map(|own| own.2).collect()))
+        Some(places.iter().sum::<Vec3>() / places.len() as f64)
     }
 }

@@ -8,6 +8,7 @@ use crate::scene::check::amplitude::check_amplitude;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::fluid::FluidScene;
 use crate::scene::fluid::formulation::{FluidMethod, WallMethod};
+use crate::scene::fluid::geometry::Extent;
 use crate::scene::fluid::openings::FluidOpening;
 use crate::scene::problem::Scene;
 use crate::scene::scope::Scope;

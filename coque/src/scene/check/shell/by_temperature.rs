@@ -3,6 +3,7 @@
 use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::error::{SceneError, Verdict};
+use crate::scene::levels::Levels;
 use crate::scene::loads::{Load, Temperature};
 use crate::scene::scope::Scope;
 use crate::scene::shell::ShellScene;
@@ -124,7 +125,7 @@ fn check_full_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Verdict {
         // What nothing holds is warm without stress.
         Analysis::Modal(_) => !scene.supports.is_empty(),
         Analysis::Static(Static { levels, .. }) | Analysis::Relaxation(Relaxation { levels, .. }) => {
-            if levels.values().into_iter().any(|level| level > 1.0) {
+            if matches!(levels, Levels::List(all) if all.iter().any(|level| *level > 1.0)) {
                 let bound = "levels up to one where numbers go with the temperature: they are those of the full load";
                 let repair = "multiply the load itself, or add `preload = true` to the temperature";
                 return refuse(&format!("analysis.{}.levels", scene.analysis.kind().name), "a level beyond one", bound, repair);
