@@ -170,7 +170,8 @@ mod tests {
     fn every_scene_of_the_repository_is_on_the_page() {
         let found = scenes(&cargo::root()).unwrap_or_default();
         assert!(found.len() >= 49, "{}", found.len());
-        assert!(PLANE.iter().all(|name| found.contains(&format!("scenes/{name}.toml"))));
+        let is_one = |name: &&str| found.iter().any(|path| path.ends_with(&format!("/{name}.toml")));
+        assert!(PLANE.iter().all(|name| is_one(&name)));
         let entry = |picture: Result<String, String>| Entry {
             scene: "scenes/a.toml".into(),
             title: title("# a\ntitle = \"A <b>\"\n").into(),

@@ -44,7 +44,19 @@ pub(in crate::scene::check) fn check_openings(scene: &Scene) -> Verdict {
         check_place(s, i, fluid, opening)?;
         check_given(&view, s, i, fluid, opening, &gravity)?;
     }
-    Ok(())
+    check_levels(s, fluid)
+}
+
+/// Refuses levels between which water would flow: what comes in by a level goes back and forth across the opening.
+fn check_levels(s: &Scope<'_>, fluid: &FluidScene) -> Verdict {
+    let free = fluid.openings.iter().enumerate().filter(|(_, own)| own.velocity.is_none());
+    let mut levels = free.filter_map(|(i, own)| Some((i, own.level?)));
+    let Some((_, first)) = levels.next() else { return Ok(()) };
+    let Some((i, other)) = levels.find(|(_, level)| (level - first).abs() > ALONG * first.abs()) else {
+        return Ok(());
+    };
+    let bound = format!("{first}, as of the other opening: only a velocity says what comes in, a level what goes out");
+    Err(s.value(&format!("openings[{i}].level"), other, &bound, "give a `velocity` where water comes in"))
 }
 
 /// What openings do not go with.
