@@ -98,7 +98,11 @@ mod tests {
         assert!((deep.group_velocity() / (0.5 * length) - 1.0).abs() < 1e-6);
         assert!((deep.of_piston() - 2.0).abs() < 1e-6);
         let deepest = waves(3000.0);
-        assert!(deepest.of_piston() == 2.0 && (deepest.of_flap() - 2.0).abs() < 1e-3 && deepest.group_velocity().is_finite());
+        assert!(
+            deepest.of_piston() == 2.0
+                && (deepest.of_flap() - 2.0).abs() < 1e-3
+                && deepest.group_velocity().is_finite()
+        );
         let shallow = waves(1e-4);
         let x = std::f64::consts::TAU * 1e-4 / shallow.length();
         assert!((shallow.length() / (9.81_f64 * 1e-4).sqrt() - 1.0).abs() < 1e-4);

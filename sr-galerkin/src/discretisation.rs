@@ -85,8 +85,10 @@ fn quadrature(parts: &Parts) -> Result<Vec<Vec<VolumePoint>>, GalerkinError> {
     let unfit = !(1..=4).contains(&parts.rule)
         || points.len() != cells
         || shares.len() != parts.nodes.len()
-        || shares.iter().any(|share| !(*share > 0.0))
-        || points.iter().any(|own| own.len() != each || own.iter().any(|point| !(point.volume >= 0.0)));
+        || shares.iter().any(|share| share.is_nan() || *share <= 0.0)
+        || points.iter().any(|own| {
+            own.len() != each || own.iter().any(|point| point.volume.is_nan() || point.volume < 0.0)
+        });
     if unfit { Err(GalerkinError::Points { cells, each }) } else { Ok(points.clone()) }
 }
 

@@ -145,10 +145,15 @@ fn making_waves(modes: &[Mode], water: &mut InStillWater) -> Option<String> {
     }
     let (number, share) = most?;
     let what = if share.abs() >= 1.0 {
-        format!("mode {number} swings by gravity as much as by the stiffness of the shell: its frequency here is none of it")
+        format!(
+            "mode {number} swings by gravity as much as by the stiffness of the shell: its frequency here is none of it"
+        )
     } else {
         let way = if share > 0.0 { "higher" } else { "lower" };
-        format!("that of mode {number} may be {:.1} % {way}, or mixed with that of the waves", 50.0 * share.abs())
+        format!(
+            "that of mode {number} may be {:.1} % {way}, or mixed with that of the waves",
+            50.0 * share.abs()
+        )
     };
     Some(format!(
         "modes in still water leave out gravity, on waves of its free surface and on faces that move in its pressure at rest; it has more than {WAVES} of \

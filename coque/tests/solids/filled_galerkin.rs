@@ -90,7 +90,10 @@ fn a_cube_across_its_cells_is_stretched_alike() {
     for spacing in [0.16, 0.14] {
         let outcome = ran(overridden(&bar(&filled(&file, spacing), rest), "", &[]));
         let [u, most, least] = ["u", "most", "least"].map(|name| last(&outcome, name));
-        println!("cube, {spacing}: {:.3} % of the stretch, stresses {most} {least} of 10", 100.0 * (100.0 * u - 1.0));
+        println!(
+            "cube, {spacing}: {:.3} % of the stretch, stresses {most} {least} of 10",
+            100.0 * (100.0 * u - 1.0)
+        );
         // Measured .1 % of the stretch, 4 % of the stress of a node: that of the quadrature of parts. Three times that.
         assert!((100.0 * u - 1.0).abs() < 0.003, "{spacing} {u}");
         assert!(most < 11.3 && least > 8.7, "{spacing} {most} {least}");

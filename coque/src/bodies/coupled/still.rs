@@ -104,14 +104,19 @@ fn faces(wet: [bool; 2]) -> impl Iterator<Item = (usize, f64)> {
 
 /// Wet faces in the pressure at rest, which is less where they have gone up: how each moves along its normal, and `ρ A g·n`, n into the
 /// water \[F/L\].
-fn weighed(water: &StillWater, wet: &[WetSurface], density: f64, gravity: &Vec3) -> Vec<(Vec<(usize, f64)>, f64)> {
+fn weighed(
+    water: &StillWater,
+    wet: &[WetSurface],
+    density: f64,
+    gravity: &Vec3,
+) -> Vec<(Vec<(usize, f64)>, f64)> {
     let (mut found, mut site) = (Vec::new(), 0);
     for surface in wet {
         for (column, along) in surface.columns.iter().zip(&surface.along) {
             for (_, sign) in faces(column.wet) {
                 if water.sites[site].is_some() {
                     let weight = density * column.area * sign * gravity.dot(&column.normal);
-                    found.push((along.iter().copied().collect(), weight));
+                    found.push((along.clone(), weight));
                 }
                 site += 1;
             }

@@ -85,25 +85,33 @@ impl Builder<'_> {
         for (key, set) in rigid.chain(tied) {
             let members = sets.at(self.scene, &scope.path(&key), set)?;
             if held.iter().any(|a| members.contains(a)) {
-                let bound = format!("an end that stands still, not one of `{key}`, which goes where its owner goes");
-                let fault = self.scene.source.fault(path, &format!("\"{on}\""), &bound, "leave it out of `held`");
+                let bound =
+                    format!("an end that stands still, not one of `{key}`, which goes where its owner goes");
+                let fault =
+                    self.scene.source.fault(path, &format!("\"{on}\""), &bound, "leave it out of `held`");
                 return Err(SceneError::Set(fault));
             }
         }
         let mut still: Vec<u32> = Vec::new();
         for support in &self.scene.supports {
-            let members = sets.at(self.scene, &support.at("on"), &support.on)?;
+            let members = sets.at(self.scene, &support.at("on"), support.on)?;
             let turns = support.turned.is_some() || support.rotated.is_some();
             if turns && held.iter().any(|a| members.contains(a)) {
                 let bound = "an end that stands still, not one that a support turns";
-                let fault = self.scene.source.fault(path, &format!("\"{on}\""), bound, "leave it out of `held`");
+                let fault =
+                    self.scene.source.fault(path, &format!("\"{on}\""), bound, "leave it out of `held`");
                 return Err(SceneError::Set(fault));
             }
             still.extend(members);
         }
         if held.iter().any(|a| !still.contains(a)) {
             let bound = "an end with a support: what holds its direction holds its place";
-            let fault = self.scene.source.fault(path, &format!("\"{on}\""), bound, "add a support there, or leave it out");
+            let fault = self.scene.source.fault(
+                path,
+                &format!("\"{on}\""),
+                bound,
+                "add a support there, or leave it out",
+            );
             return Err(SceneError::Set(fault));
         }
         Ok(())

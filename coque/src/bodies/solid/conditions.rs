@@ -176,7 +176,8 @@ pub(super) fn loads(
             || load.pressure.as_ref().is_some_and(|own| !own.follower);
         if by_area && sets.facets(load.on, nodes, &planes).is_some_and(|facets| facets.is_empty()) {
             let bound = "a set at the surface: nothing of it lies at these nodes";
-            let repair = "use `surface`, x0 to z1, a group of the file, or a region that holds a part of the surface";
+            let repair =
+                "use `surface`, x0 to z1, a group of the file, or a region that holds a part of the surface";
             let fault = sets.scene().source.fault(&load.at("on"), &format!("\"{}\"", load.on), bound, repair);
             return Err(SceneError::Set(fault));
         }

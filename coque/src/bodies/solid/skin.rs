@@ -67,6 +67,9 @@ pub(in crate::bodies) fn filled_cells(
     Ok((filled, skin))
 }
 
+/// What nodes bear of a surface: its facets, nodes with triangles, and what lies away from all of them with a place of it.
+type OfSurface = (Vec<Facet>, Vec<(u32, u32)>, Option<(f64, Vec3)>);
+
 /// A surface from a file.
 struct Read {
     surface: Surface,
@@ -114,12 +117,7 @@ impl Read {
         Ok(parts)
     }
 
-    fn skin(
-        self,
-        parts: BTreeMap<String, Vec<bool>>,
-        (facets, bearers, away): (Vec<Facet>, Vec<(u32, u32)>, Option<(f64, Vec3)>),
-        how: &str,
-    ) -> Skin {
+    fn skin(self, parts: BTreeMap<String, Vec<bool>>, (facets, bearers, away): OfSurface, how: &str) -> Skin {
         let (volume, centroid) = self.closed.volume();
         let area: f64 = facets.iter().map(|facet| facet.area.norm()).sum();
         let described = format!(

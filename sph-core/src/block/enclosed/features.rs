@@ -70,7 +70,8 @@ impl Features {
         }
         let edges = of().flat_map(|[a, b, c]| [(a, b), (b, c), (c, a)]);
         let sharp = edges.filter(|&(a, b)| self.edges.contains(&(a.min(b), a.max(b))));
-        let place = nearest(x, BESIDE, spacing, sharp.map(|(a, b)| on_edge(x, [at(a.min(b)), at(a.max(b))])))?;
+        let place =
+            nearest(x, BESIDE, spacing, sharp.map(|(a, b)| on_edge(x, [at(a.min(b)), at(a.max(b))])))?;
         Some((place, false))
     }
 }

@@ -154,9 +154,8 @@ impl Net<'_> {
         if let Some((sharp, corner)) = beside.filter(|_| flat.is_empty()) {
             (to, rank) = (sharp, if corner { 0 } else { 1 });
         }
-        let lies_on = |&number: &u32| {
-            (on_triangle(&to, self.corners(number)) - to).norm() <= ON_SURFACE * self.spacing
-        };
+        let lies_on =
+            |&number: &u32| (on_triangle(&to, self.corners(number)) - to).norm() <= ON_SURFACE * self.spacing;
         let triangles = near.iter().copied().filter(lies_on).collect();
         let far = (1e6 * (to - place).norm() / self.spacing).round() as u64;
         Some(Moved { corner, place: to, rank, far, triangles })
@@ -166,9 +165,7 @@ impl Net<'_> {
     fn lies_in(&self, side: usize, at: [usize; 3]) -> bool {
         let (axis, upper) = (side / 2, side % 2 == 1);
         let end = if upper { self.laid.counts[axis] } else { 0 };
-        at[axis] == end
-            && self.laid.flat[side].contains(&true)
-            && self.laid.in_lattice(side, self.spacing)
+        at[axis] == end && self.laid.flat[side].contains(&true) && self.laid.in_lattice(side, self.spacing)
     }
 
     fn corners(&self, triangle: u32) -> [Vec3; 3] {

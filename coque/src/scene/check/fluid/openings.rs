@@ -55,7 +55,9 @@ fn check_levels(s: &Scope<'_>, fluid: &FluidScene) -> Verdict {
     let Some((i, other)) = levels.find(|(_, level)| (level - first).abs() > ALONG * first.abs()) else {
         return Ok(());
     };
-    let bound = format!("{first}, as of the other opening: only a velocity says what comes in, a level what goes out");
+    let bound = format!(
+        "{first}, as of the other opening: only a velocity says what comes in, a level what goes out"
+    );
     Err(s.value(&format!("openings[{i}].level"), other, &bound, "give a `velocity` where water comes in"))
 }
 

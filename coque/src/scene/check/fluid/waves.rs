@@ -148,8 +148,17 @@ fn check_made(s: &Scope<'_>, waves: &WallWaves, gravity: &Vec3, pool: Option<&Po
         if let (Some(first), Some(last)) = (points.first(), points.last())
             && !(first[0]..=last[0]).contains(&peak)
         {
-            let bound = format!("the period of the peak of the table, from {:.4} to {:.4}", 1.0 / last[0], 1.0 / first[0]);
-            return Err(s.value("motion.waves.period", waves.period, &bound, "give that of its greatest density"));
+            let bound = format!(
+                "the period of the peak of the table, from {:.4} to {:.4}",
+                1.0 / last[0],
+                1.0 / first[0]
+            );
+            return Err(s.value(
+                "motion.waves.period",
+                waves.period,
+                &bound,
+                "give that of its greatest density",
+            ));
         }
     }
     pool.map_or(Ok(()), |pool| pool.check_depth(s, "motion.waves.depth", waves.depth.get()))?;

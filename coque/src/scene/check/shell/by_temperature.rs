@@ -126,16 +126,23 @@ fn check_full_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Verdict {
         Analysis::Modal(_) => !scene.supports.is_empty(),
         Analysis::Static(Static { levels, .. }) | Analysis::Relaxation(Relaxation { levels, .. }) => {
             if matches!(levels, Levels::List(all) if all.iter().any(|level| *level > 1.0)) {
-                let bound = "levels up to one where numbers go with the temperature: they are those of the full load";
+                let bound =
+                    "levels up to one where numbers go with the temperature: they are those of the full load";
                 let repair = "multiply the load itself, or add `preload = true` to the temperature";
-                return refuse(&format!("analysis.{}.levels", scene.analysis.kind().name), "a level beyond one", bound, repair);
+                return refuse(
+                    &format!("analysis.{}.levels", scene.analysis.kind().name),
+                    "a level beyond one",
+                    bound,
+                    repair,
+                );
             }
             false
         }
         _ => false,
     };
     if shakes {
-        let bound = "one with `preload = true` where numbers go with it: what vibrates is warm and stressed by it";
+        let bound =
+            "one with `preload = true` where numbers go with it: what vibrates is warm and stressed by it";
         return refuse(&load.at("temperature"), "a temperature", bound, "add `preload = true` to the load");
     }
     Ok(())
