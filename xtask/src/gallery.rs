@@ -171,7 +171,7 @@ mod tests {
         let found = scenes(&cargo::root()).unwrap_or_default();
         assert!(found.len() >= 49, "{}", found.len());
         let is_one = |name: &&str| found.iter().any(|path| path.ends_with(&format!("/{name}.toml")));
-        assert!(PLANE.iter().all(|name| is_one(name)));
+        assert!(PLANE.iter().all(is_one));
         let entry = |picture: Result<String, String>| Entry {
             scene: "scenes/a.toml".into(),
             title: title("# a\ntitle = \"A <b>\"\n").into(),

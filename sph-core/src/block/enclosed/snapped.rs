@@ -17,6 +17,9 @@ use crate::Vec3;
 const APART: f64 = 0.4;
 /// Distance from a triangle within which a node lies on it, in spacings.
 const ON_SURFACE: f64 = 1e-6;
+/// The same of the triangles whose nearest places it is the mean of: of a smooth surface it lies off them by its curvature, of the faces of a right edge by a
+/// quarter and more, and belongs to neither.
+const CURVED: f64 = 0.1;
 /// Difference of distances that is rounding, in spacings.
 const AS_NEAR: f64 = 1e-9;
 /// Cells round a corner, along each axis to either side, whose triangles it may go to.
@@ -149,13 +152,16 @@ impl Net<'_> {
         let near = self.near(at);
         let kept = if all { &[][..] } else { &flat };
         let found = self.nearest(&place, &near, kept).or_else(|| self.nearest(&place, &near, &[]));
-        let (mut to, mut rank) = (found.unwrap_or(place), 2);
+        let (mut to, nearest) = found.unwrap_or((place, Vec::new()));
+        let mut rank = 2;
         let beside = self.features.beside(self.surface, (&to, self.spacing), &near);
         if let Some((sharp, corner)) = beside.filter(|_| flat.is_empty()) {
             (to, rank) = (sharp, if corner { 0 } else { 1 });
         }
-        let lies_on =
-            |&number: &u32| (on_triangle(&to, self.corners(number)) - to).norm() <= ON_SURFACE * self.spacing;
+        let lies_on = |number: &u32| {
+            let within = if nearest.contains(number) { CURVED } else { ON_SURFACE };
+            (on_triangle(&to, self.corners(*number)) - to).norm() <= within * self.spacing
+        };
         let triangles = near.iter().copied().filter(lies_on).collect();
         let far = (1e6 * (to - place).norm() / self.spacing).round() as u64;
         Some(Moved { corner, place: to, rank, far, triangles })
@@ -185,14 +191,14 @@ impl Net<'_> {
         out
     }
 
-    /// The place of the surface that is nearest to x, of its edges and corners in flat sides where x is to stay in them.
-    fn nearest(&self, x: &Vec3, near: &BTreeSet<u32>, stays: &[usize]) -> Option<Vec3> {
+    /// The place of the surface that is nearest to x, of its edges and corners in flat sides where x is to stay in them, with its triangles.
+    fn nearest(&self, x: &Vec3, near: &BTreeSet<u32>, stays: &[usize]) -> Option<(Vec3, Vec<u32>)> {
         let lies =
             |p: &Vec3, side: &usize| (p[side / 2] - self.laid.plane(*side)).abs() <= IN_PLANE * self.spacing;
-        let mut found: Vec<(f64, Vec3)> = Vec::new();
+        let mut found: Vec<(f64, Vec3, u32)> = Vec::new();
         for &triangle in near {
             let corners = self.corners(triangle);
-            let mut add = |place: Vec3| found.push(((place - x).norm(), place));
+            let mut add = |place: Vec3| found.push(((place - x).norm(), place, triangle));
             if stays.is_empty() {
                 add(on_triangle(x, corners));
                 continue;
@@ -212,11 +218,12 @@ impl Net<'_> {
         let slack = AS_NEAR * self.spacing;
         found.retain(|own| own.0 <= least + slack);
         let mut places: Vec<Vec3> = Vec::new();
-        for (_, place) in &found {
+        for (_, place, _) in &found {
             if places.iter().all(|other| (other - place).norm() > slack) {
                 places.push(*place);
             }
         }
-        Some(places.iter().sum::<Vec3>() / places.len() as f64)
+        let mean = places.iter().sum::<Vec3>() / places.len() as f64;
+        Some((mean, found.into_iter().map(|own| own.2).collect()))
     }
 }
