@@ -280,11 +280,8 @@ impl Shell {
     /// direction of a stiffener there in the surface \[F L\], for the last forces evaluated.
     pub fn reaction_moment(&self, particle: usize) -> Vec3 {
         let of_bars = self.stiffeners.held_at(&self.motion.state, particle);
-        let [f, e, s] = [
-            self.internal_force(particle),
-            self.external_force(particle),
-            self.loading.spring_force(particle),
-        ];
+        let [f, e] = [self.internal_force(particle), self.external_force(particle)];
+        let s = self.loading.spring_force(particle);
         if let Some(group) = self.dependents.junctions.of(particle) {
             if group.first() != particle {
                 return Vec3::zeros();

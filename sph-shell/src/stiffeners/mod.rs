@@ -291,10 +291,10 @@ impl Stiffeners {
         sum.map(|sum| if count > 0.0 { sum / count } else { 0.0 })
     }
 
-    /// The moment by which a direction in the surface is held at a particle \[F L\].
+    /// The moment by which a direction in the surface is held at a particle \[F L\]; none where no bar is held, which adds no zero to any.
     pub fn held_at(&self, state: &[Row], particle: usize) -> Vec3 {
         let all = self.turns.iter().filter_map(|turn| turn.held(state));
-        all.filter(|(at, _)| *at as usize == particle).map(|(_, moment)| moment).sum()
+        all.filter(|(at, _)| *at as usize == particle).fold(-Vec3::zeros(), |sum, (_, moment)| sum + moment)
     }
 
     /// What each piece bears in a state.
