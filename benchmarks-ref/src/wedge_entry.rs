@@ -1,8 +1,8 @@
-//! A wedge that enters still water at constant speed: the similarity flow of Dobrovol'skaya, without gravity [dobrovolskaya1969].
+//! A wedge that enters still water at constant speed: the similarity flow of Dobrovol'skaya, without gravity \[dobrovolskaya1969\].
 //!
 //! All lengths go with Vt, so that one flow is sought, of speed one at the time one. The right half of the water lies on the upper half of a plane of t: the wetted
 //! face from its tip, 0, to the apex, 1, the middle of the water from there to ∞, the free surface on −∞ to 0. Let α be the deadrise and −πf the slope of the
-//! surface towards the tip. Directions on the boundary, and a free surface on which fluid keeps its distances along it [wagner1932], give position z and
+//! surface towards the tip. Directions on the boundary, and a free surface on which fluid keeps its distances along it \[wagner1932\], give position z and
 //! complex velocity w' in the similarity plane:
 //!
 //! ```text
