@@ -44,6 +44,7 @@ pub struct Galerkin {
     conditions: usize,
     pub(crate) loads: Loads,
     pub(crate) masses: Vec<f64>,
+    moved_mass: f64,
     pub(crate) blocks: Blocks,
     pub(crate) reduction: Reduction,
     pub(crate) scratch: Vec<Scratch>,
@@ -102,8 +103,11 @@ impl Galerkin {
             turn: 0.0,
         };
         let stride = space.force_stride();
+        let shares = parts.cut.as_ref().map(|cut| cut.shares.as_slice());
+        let (masses, moved_mass) = masses(&space, parts.density, shares);
         Ok(Self {
-            masses: masses(&space, parts.density, parts.cut.as_ref().map(|cut| cut.shares.as_slice())),
+            masses,
+            moved_mass,
             parameters: vec![0.0; 3 * count],
             accepted: vec![0.0; 3 * count],
             history: vec![rest; space.places.len()],
@@ -147,6 +151,17 @@ impl Galerkin {
     /// Number of points of the quadrature.
     pub fn points(&self) -> usize {
         self.space.places.len()
+    }
+
+    /// The greatest force that a uniform stress leaves on a node of cells that a surface cuts, over that stress on the square of a spacing \[–\]: by Gauss's
+    /// theorem zero, but for the quadrature; zero of whole cells.
+    pub fn uneven(&self) -> f64 {
+        self.space.uneven
+    }
+
+    /// Part of the mass that cut cells give to nodes for which integrals of shape functions leave none, or too little \[–\].
+    pub fn moved_mass(&self) -> f64 {
+        self.moved_mass
     }
 
     /// Equations of conditions that said nothing new and were left out.
@@ -223,8 +238,9 @@ impl Galerkin {
 }
 
 /// Masses of nodes \[M\], their images' with them: integrals of the shape functions; where one is not positive and a surface cuts the cells, these or
-/// a tenth of the node's share of the cells, of whole cells those of their squares, either scaled to the whole.
-fn masses(space: &Discretisation, density: f64, shares: Option<&[f64]>) -> Vec<f64> {
+/// a tenth of the node's share of the cells, of whole cells those of their squares, either scaled to the whole. And the part of the whole that cut cells
+/// so give to nodes for which their integrals leave less.
+fn masses(space: &Discretisation, density: f64, shares: Option<&[f64]>) -> (Vec<f64>, f64) {
     let mut integrals = space.integrals[..space.nodes.len()].to_vec();
     for (image, own) in space.integrals.iter().enumerate().skip(space.nodes.len()) {
         let node = space.images.real(image as u32).0 as usize;
@@ -232,16 +248,16 @@ fn masses(space: &Discretisation, density: f64, shares: Option<&[f64]>) -> Vec<f
     }
     let sum = |k: usize| integrals.iter().map(|integral| integral[k]).sum::<f64>();
     if integrals.iter().all(|integral| integral[0] > 0.0) {
-        return integrals.iter().map(|integral| density * integral[0]).collect();
+        return (integrals.iter().map(|integral| density * integral[0]).collect(), 0.0);
     }
     if let Some(shares) = shares {
         let clipped = |(integral, share): (&[f64; 2], &f64)| integral[0].max(LEAST * share);
         let all: Vec<f64> = integrals.iter().zip(shares).map(clipped).collect();
-        let scale = density * sum(0) / all.iter().sum::<f64>();
-        return all.into_iter().map(|own| scale * own).collect();
+        let left = sum(0) / all.iter().sum::<f64>();
+        return (all.into_iter().map(|own| density * left * own).collect(), 1.0 - left);
     }
     let scale = density * sum(0) / sum(1);
-    integrals.iter().map(|integral| scale * integral[1]).collect()
+    (integrals.iter().map(|integral| scale * integral[1]).collect(), 0.0)
 }
 
 fn check(parts: &Parts) -> Result<(), GalerkinError> {

@@ -1,7 +1,7 @@
 //! Shape functions at all points of the quadrature, stored flat by background cell.
 
 use rayon::prelude::*;
-use sph_core::{MovingLeastSquares, PointShape, Vec3, VolumePoint};
+use sph_core::{FacePoint, MovingLeastSquares, PointShape, Vec3, VolumePoint};
 
 use crate::error::GalerkinError;
 use crate::images::Images;
@@ -78,7 +78,7 @@ impl Cell {
 
 /// Points of the cells.
 fn quadrature(parts: &Parts) -> Result<Vec<Vec<VolumePoint>>, GalerkinError> {
-    let Some(CutCells { points, shares }) = &parts.cut else {
+    let Some(CutCells { points, shares, .. }) = &parts.cut else {
         return Ok(parts.cells.volume_points(parts.rule)?);
     };
     let (cells, each) = (parts.cells.cells.len(), parts.rule.pow(3));
@@ -122,6 +122,8 @@ pub(crate) struct Discretisation {
     pub nodal: Vec<PointShape>,
     /// Integrals of the shape functions and of their squares \[L³\], of images as well.
     pub integrals: Vec<[f64; 2]>,
+    /// The greatest force that a uniform stress of one leaves on a node, over the square of a cell's edge \[–\]; zero of whole cells, where it is not asked for.
+    pub uneven: f64,
 }
 
 impl Discretisation {
@@ -143,7 +145,37 @@ impl Discretisation {
         }
         let places = quadrature.iter().flatten().map(|point| point.place).collect();
         let points = parts.rule.pow(3);
-        Ok(Self { nodes: parts.nodes.clone(), images, cells, places, points, slice, nodal, integrals })
+        let nodes = parts.nodes.clone();
+        let mut space = Self { nodes, images, cells, places, points, slice, nodal, integrals, uneven: 0.0 };
+        if let Some(cut) = &parts.cut {
+            let whole = space.cells.iter().map(|cell| cell.volumes.iter().sum::<f64>()).fold(0.0, f64::max);
+            let edge = libm::cbrt(whole);
+            space.uneven = space.unbalanced(&quadrature, &cut.surface, squares)? / (edge * edge);
+        }
+        Ok(space)
+    }
+
+    /// The greatest force that a uniform stress of one leaves on a node, `|∫∇φ dV − ∮φ n dA|` \[L²\]: zero by Gauss's theorem, but for the quadrature.
+    fn unbalanced(
+        &self,
+        quadrature: &[Vec<VolumePoint>],
+        surface: &[FacePoint],
+        squares: &MovingLeastSquares,
+    ) -> Result<f64, GalerkinError> {
+        let mut sums = vec![Vec3::zeros(); self.integrals.len()];
+        for (cell, points) in self.cells.iter().zip(quadrature) {
+            for (number, point) in points.iter().enumerate() {
+                for (at, &node) in cell.nodes.iter().enumerate() {
+                    let of = |direction| point.volume * cell.gradient(number, direction)[at];
+                    sums[node as usize] += Vec3::new(of(0), of(1), of(2));
+                }
+            }
+        }
+        for point in surface {
+            let (shape, area) = (squares.at(&point.place)?, point.area());
+            shape.nodes.iter().zip(&shape.values).for_each(|(&node, phi)| sums[node as usize] -= area * *phi);
+        }
+        Ok(sums.iter().map(Vec3::norm).fold(0.0, f64::max))
     }
 
     /// Numbers that a cell writes: three rows as wide as the widest.

@@ -48,6 +48,8 @@ pub struct Parts {
 pub struct CutCells {
     /// Points of each, the cube of the rule, in place of Gauss's; volumes may be zero.
     pub points: Vec<Vec<VolumePoint>>,
+    /// Points of the whole surface, by which what a uniform stress leaves on nodes is found ([`crate::Galerkin::uneven`]).
+    pub surface: Vec<FacePoint>,
     /// Volumes of the nodes, by which masses are shared out where the integral of a shape function is not positive \[L³\].
     pub shares: Vec<f64>,
 }

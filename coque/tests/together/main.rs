@@ -7,6 +7,7 @@ mod common;
 
 mod friction;
 mod glue;
+mod linked_pair;
 mod links;
 mod own_contact;
 mod rigid_bodies;

@@ -30,7 +30,8 @@ fn any_state_bears_the_whole_moment() {
         let edge = cloud.sides.as_ref().unwrap().edge(Side::U1).to_vec();
         let inside = (0..cloud.len() as u32).filter(|a| a % 5 == 0);
         for set in [shares(edge), shares(inside), shares([7])] {
-            let load: Box<dyn Load> = Box::new(DrillingCouple::new(&cloud, set, moment));
+            let load: Box<dyn Load> =
+                Box::new(DrillingCouple::new(&cloud, set, moment.normalize(), moment.norm()));
             let mut body = shell(cloud.clone(), CELL, 0.2, &StretchCorrected, vec![], vec![load]);
             shake(&mut body, 0.2, 5);
             let found = body.load_resultants(Vec3::new(3.0, -8.0, 1.0))[0];
@@ -50,7 +51,7 @@ fn the_work_on_linear_displacements_is_that_of_the_continuum() {
         // An edge along x turns by ∂v/∂x.
         let curl = 0.5 * (gradient[(1, 0)] - gradient[(0, 1)]);
         for (set, turn) in [(spread, curl), (shares(edge), gradient[(1, 0)])] {
-            let load = DrillingCouple::new(&cloud, set, Z * MOMENT);
+            let load = DrillingCouple::new(&cloud, set, Z, MOMENT);
             let body = shell(cloud.clone(), CELL, 0.2, &StretchCorrected, vec![], vec![]);
             let reference = body.reference();
             let state: Vec<[f64; 6]> = (0..body.len())
@@ -127,7 +128,7 @@ fn a_disc_is_turned_by_its_inner_rim_and_by_a_hub() {
     for cells in [8, 16] {
         let cloud = disc(0.25, cells, 6 * cells);
         let rim = at(&cloud, |x| x.norm() < 0.25 + 1e-9);
-        let on_rim = DrillingCouple::new(&cloud, rim.iter().map(|&a| (a, 1.0)).collect(), Z * MOMENT);
+        let on_rim = DrillingCouple::new(&cloud, rim.iter().map(|&a| (a, 1.0)).collect(), Z, MOMENT);
         let hub = RigidSet { particles: rim.clone(), ..RigidSet::default() };
         let parts = shell_parts(
             cloud.clone(),
@@ -158,7 +159,7 @@ fn a_couple_at_a_point_turns_what_is_around_it() {
     for (cells, bound) in [(8, 1.5e-2), (16, 3.2e-3)] {
         let cloud = disc(0.0, cells, 4 * cells);
         let [half, near] = [0.5, 2.0 / cells as f64].map(|radius| {
-            let load = DrillingCouple::new(&cloud, vec![(0, 1.0)], Z * MOMENT);
+            let load = DrillingCouple::new(&cloud, vec![(0, 1.0)], Z, MOMENT);
             turned(built(&cloud, Box::new(load)), radius) - 1.0
         });
         println!("{cells} rings: at half of the radius {half:.2e}, two rings from the centre {near:.2e}");
@@ -171,7 +172,7 @@ fn a_couple_at_a_point_turns_what_is_around_it() {
 fn a_particle_without_cells_is_refused() {
     let cloud = flat([4, 4], [1.0, 1.0]);
     let bare = Cloud { cells: Vec::new(), ..cloud.clone() };
-    let load: Box<dyn Load> = Box::new(DrillingCouple::new(&bare, vec![(3, 1.0)], Z));
+    let load: Box<dyn Load> = Box::new(DrillingCouple::new(&bare, vec![(3, 1.0)], Z, 1.0));
     let parts = shell_parts(cloud, CELL, 0.1, &StretchCorrected, vec![], vec![load]);
     let refused = Shell::builder(parts).build().err();
     assert!(matches!(refused, Some(ShellError::DrillingAlone(3))), "{refused:?}");

@@ -16,7 +16,9 @@ use sph_shell::{
 /// Every kind of load on a shell, on the edge given, and whether it follows the shell.
 fn loads(edge: &[(u32, f64)], cloud: &Cloud) -> Vec<(&'static str, bool, Box<dyn Load>)> {
     let (edge, particles) = (edge.to_vec(), cloud.len());
-    let drilling = |shares| Box::new(DrillingCouple::new(cloud, shares, Vec3::new(0.3, -0.2, 0.9)));
+    let drilling = |shares| {
+        Box::new(DrillingCouple::new(cloud, shares, Vec3::new(0.3, -0.2, 0.9).normalize(), 0.94_f64.sqrt()))
+    };
     let couple = |axis| Box::new(EdgeCouple { edge: edge.clone(), moment: 0.7, axis });
     vec![
         ("force", false, Box::new(Force { shares: edge.clone(), total: Vec3::new(1.0, -2.0, 0.5) })),

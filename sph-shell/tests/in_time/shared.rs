@@ -24,8 +24,8 @@ fn strip() -> Shell {
     let loads: Vec<Box<dyn Load>> = vec![
         Box::new(Gravity { acceleration: Vec3::new(0.0, 0.3, -0.2) }),
         Box::new(Pressure { value: 0.02, follower: true }),
-        Box::new(DrillingCouple::new(&cloud, across, Vec3::z() * 0.01)),
-        Box::new(DrillingCouple::new(&cloud, (700..900).map(|a| (a, 1.0)).collect(), Vec3::z() * 0.01)),
+        Box::new(DrillingCouple::new(&cloud, across, Vec3::z(), 0.01)),
+        Box::new(DrillingCouple::new(&cloud, (700..900).map(|a| (a, 1.0)).collect(), Vec3::z(), 0.01)),
     ];
     shell(cloud, CELLS, 0.05, &StretchCorrected, supports, loads)
 }

@@ -10,7 +10,7 @@ use super::describe::describe;
 use super::parts::{axes, basis, data_until, material, support, volumes, weight};
 use super::places::Places;
 use super::solid::GalerkinSolid;
-use super::warnings::warnings_of;
+use super::warnings::{cut_cells, warnings_of};
 use super::widened::wide_enough;
 use crate::bodies::body::PrescribedPoint;
 use crate::bodies::memory::Memory;
@@ -75,10 +75,12 @@ pub(in crate::bodies) fn galerkin_made(
 ) -> Result<BuiltBody<GalerkinSolid>, SceneError> {
     let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened, sets } =
         galerkin(scene, solid, options, threads)?;
+    let cut = cut_cells(scene, &galerkin);
     let body = GalerkinSolid::new(galerkin, &places, supports, data_until(solid));
     refuse_dof(scene, body.dof())?;
     let mut description = describe(scene, solid, options, (&body, widened), places.block.greatest_spacing());
     let mut warnings = warnings_of(scene, options, places.lattice.lengths, &places.block);
+    warnings.extend(cut);
     let fins = places.skin().and_then(Skin::thin_fins);
     warnings.extend(fins.map(|message| Warning::new(WarningKind::ThinFins, message)));
     description.modelled.extend(places.skin().map(|skin| skin.described.clone()));
@@ -127,6 +129,7 @@ fn galerkin(
         rule: options.gauss.get(),
         cut: places.filled.as_ref().map(|(filled, _)| CutCells {
             points: filled.points.clone(),
+            surface: filled.face_points(&filled.facets),
             shares: filled.block.volumes.clone(),
         }),
         basis: basis(options),

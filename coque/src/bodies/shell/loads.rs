@@ -1,7 +1,7 @@
 //! Loads of a scene as those of the shell: on particles, on edges, on cells, on rigid bodies.
 
 use sph_core::{Cloud, EndWeights, Vec3};
-use sph_shell::{AppliedLoad, Content, CoupleAxis, DrillingCouple, Enclosed};
+use sph_shell::{AppliedLoad, Content, CoupleAxis, DrillingCouple, EdgeCouple, Enclosed};
 
 use super::build::Builder;
 use super::cells::CellSets;
@@ -11,7 +11,7 @@ use crate::bodies::sets::{self, Sets};
 use crate::scene::error::SceneError;
 use crate::scene::{self, Axis, LoadKind};
 
-/// Cosine between the axis of a couple and a normal at rest up to which directors bear all of it.
+/// Cosine between the axis of a couple and a normal up to which it stands across: rounding.
 const ACROSS: f64 = 1e-6;
 
 impl Builder<'_> {
@@ -50,12 +50,58 @@ impl Builder<'_> {
                 let amplitude = load.amplitude.clone().unwrap_or_default();
                 let found = match self.load_on_body(&kind, load.on) {
                     Some(on_body) => Some(Box::new(on_body) as _),
-                    None => self.load(kind, shares.clone(), cloud),
+                    None => {
+                        let shares = match &kind {
+                            LoadKind::Couple(couple) => {
+                                self.at_junctions(&path, couple, shares.clone(), cloud)?
+                            }
+                            _ => shares.clone(),
+                        };
+                        self.load(kind, shares, cloud)
+                    }
                 };
                 loads.extend(found.map(|load| of_case(AppliedLoad { load, amplitude })));
             }
         }
         Ok(loads)
+    }
+
+    /// Where sheets meet, which turn together there, a couple acts on the one across whose normal its axis stands, that of the others turning with it.
+    ///
+    /// # Errors
+    /// [`SceneError::Choice`] where there is none: what turns one sheet about its normal would bend the others, by whichever comes first.
+    fn at_junctions(
+        &self,
+        path: &str,
+        couple: &scene::Couple,
+        mut shares: Vec<(u32, f64)>,
+        cloud: &Cloud,
+    ) -> Result<Vec<(u32, f64)>, SceneError> {
+        let Axis::Fixed(axis) = couple.axis else { return Ok(shares) };
+        let axis = self.turned(axis).normalize();
+        if cloud.joined.is_empty() || DrillingCouple::new(cloud, shares.clone(), axis, 1.0).turns_a_line() {
+            return Ok(shares);
+        }
+        let normal = |a: u32| cloud.frames[a as usize].n;
+        let along = |a: u32| normal(a).dot(&axis).abs();
+        for (particle, _) in &mut shares {
+            let Some(group) = cloud.joined.iter().find(|group| group.contains(particle)) else { continue };
+            let alike = group.iter().all(|&a| normal(a).cross(&normal(*particle)).norm() <= ACROSS);
+            if along(*particle) <= ACROSS || alike {
+                continue;
+            }
+            match group.iter().find(|&&a| along(a) <= ACROSS) {
+                Some(&across) => *particle = across,
+                None => {
+                    let bound = "an axis across one of the sheets that meet at a particle of the set: it turns all of them together";
+                    let repair = "give the couple to a rigid set, or to a line of particles whole";
+                    let value = "a couple about another axis";
+                    let fault = self.scene.source.fault(path, value, bound, repair);
+                    return Err(SceneError::Choice(fault));
+                }
+            }
+        }
+        Ok(shares)
     }
 
     fn load(
@@ -67,19 +113,13 @@ impl Builder<'_> {
         Some(match kind {
             LoadKind::Force(force) => Box::new(sph_shell::Force { shares, total: self.turned(force.total) }),
             LoadKind::Couple(couple) => {
-                let axis = match couple.axis {
-                    Axis::Edge => CoupleAxis::Edge,
-                    Axis::Fixed(axis) => CoupleAxis::Fixed(self.turned(axis).normalize()),
-                };
-                let along = |axis: Vec3| {
-                    let normal = |(a, _): &(u32, f64)| cloud.frames[*a as usize].n.dot(&axis).abs();
-                    shares.iter().map(normal).fold(0.0, f64::max)
-                };
-                match axis {
-                    CoupleAxis::Fixed(axis) if along(axis) > ACROSS => {
-                        Box::new(DrillingCouple::new(cloud, shares, axis * couple.moment))
+                let moment = couple.moment;
+                match couple.axis {
+                    Axis::Edge => Box::new(EdgeCouple { edge: shares, moment, axis: CoupleAxis::Edge }),
+                    Axis::Fixed(axis) => {
+                        let axis = self.turned(axis).normalize();
+                        Box::new(DrillingCouple::new(cloud, shares, axis, moment))
                     }
-                    axis => Box::new(sph_shell::EdgeCouple { edge: shares, moment: couple.moment, axis }),
                 }
             }
             LoadKind::Pressure(p) => Box::new(sph_shell::Pressure { value: p.value(), follower: p.follower }),

@@ -23,21 +23,27 @@ use nalgebra::{Matrix3, RowVector3};
 use sph_core::{Cloud, Vec3};
 
 use super::spin::{Spin, spins};
-use crate::conditions::body::{Block, Body};
+use crate::conditions::body::{Block, Body, place_block};
 use crate::conditions::loads::{AddLoad, Load, LoadOnShare, check_set};
 use crate::error::ShellError;
 use crate::reference::Reference;
 
+/// Cosine between the axis and a director up to which the director bears all of the couple, as of an [`super::EdgeCouple`].
+const ACROSS: f64 = 1e-6;
+
 /// A couple about an axis fixed in space on a set of particles, the part along their normals included.
 ///
-/// Where the set is a line, that part turns the line in the surface, else the surface around each particle. It has no potential beyond small turns about
-/// one axis.
+/// Where the set is a line, that part turns the line in the surface, else the surface around each particle: as directors come to lie along the axis in the
+/// present state. It has no potential beyond small turns about one axis.
 #[derive(Clone, Debug)]
 pub struct DrillingCouple {
     /// Particles and their shares; the shares are normalised to one.
     shares: Vec<(u32, f64)>,
-    /// The whole couple \[F L\].
-    moment: Vec3,
+    /// Its axis (unit vector), and the whole couple \[F L\].
+    axis: Vec3,
+    moment: f64,
+    /// Greatest cosine between the axis and a normal at rest.
+    along: f64,
     /// How the surface turns at each particle.
     spins: Vec<Option<Spin>>,
 }
@@ -55,21 +61,34 @@ struct Turned {
 }
 
 impl DrillingCouple {
-    /// A couple \[F L\] on particles with their tributary lengths or other shares.
-    pub fn new(cloud: &Cloud, shares: Vec<(u32, f64)>, moment: Vec3) -> Self {
+    /// A couple \[F L\] about a unit vector on particles with their tributary lengths or other shares.
+    pub fn new(cloud: &Cloud, shares: Vec<(u32, f64)>, axis: Vec3, moment: f64) -> Self {
         let particles: Vec<u32> = shares.iter().map(|share| share.0).collect();
         let spins = spins(cloud, &particles);
-        Self { shares, moment, spins }
+        let normal = |a: &u32| cloud.frames[*a as usize].n.dot(&axis).abs();
+        let along = particles.iter().map(normal).fold(0.0, f64::max);
+        Self { shares, axis, moment, along, spins }
     }
 
-    /// Places in the list whose particle turns with particles around it, the particle, what it bears and how it turns.
-    fn each(&self) -> impl Iterator<Item = (usize, u32, f64, &Spin)> {
+    /// Whether its set is a line, which it turns as a whole.
+    pub fn turns_a_line(&self) -> bool {
+        self.spins.iter().flatten().any(|spin| spin.of_line)
+    }
+
+    /// Places in the list, the particle, its part of a couple of this size, and how the surface turns there.
+    fn each(&self, scale: f64) -> impl Iterator<Item = (usize, u32, f64, Option<&Spin>)> {
         let whole: f64 = self.shares.iter().map(|share| share.1).sum();
         let spins = self.shares.iter().zip(&self.spins).enumerate();
-        spins.filter_map(move |(i, (&(a, share), spin))| Some((i, a, share / whole, spin.as_ref()?)))
+        spins.map(move |(i, (&(a, share), spin))| (i, a, scale * self.moment * share / whole, spin.as_ref()))
     }
 
-    fn at(&self, particle: u32, part: f64, spin: &Spin, state: &[[f64; 6]]) -> Turned {
+    /// How the surface turns at a particle, where that is to bear a part of the couple in a state.
+    fn turning<'a>(&self, particle: u32, spin: Option<&'a Spin>, state: &[[f64; 6]]) -> Option<&'a Spin> {
+        let director = Vec3::from_row_slice(&state[particle as usize][3..]);
+        spin.filter(|_| self.axis.dot(&director).abs() > ACROSS)
+    }
+
+    fn at(&self, particle: u32, size: f64, spin: &Spin, state: &[[f64; 6]]) -> Turned {
         let place = |a: u32| Vec3::from_row_slice(&state[a as usize][..3]);
         let director = Vec3::from_row_slice(&state[particle as usize][3..]);
         let here = place(particle);
@@ -83,17 +102,22 @@ impl DrillingCouple {
             false => [along[1] * 0.5, along[0] * -0.5],
         };
         let normal = along[0].cross(&arms[0]) + along[1].cross(&arms[1]);
-        let moment = self.moment * part;
+        let moment = self.axis * size;
         let size = moment.dot(&director) / normal.dot(&director);
         Turned { director, along, arms, normal, size, rest: moment - normal * size }
     }
 
     /// Adds what some of its places exert.
     fn add_of(&self, scale: f64, body: &Body<'_>, forces: &mut [[f64; 6]], wanted: impl Fn(usize) -> bool) {
-        for (_, a, part, spin) in self.each().filter(|place| wanted(place.0)) {
-            let turned = self.at(a, scale * part, spin, body.state);
+        for (_, a, moment, spin) in self.each(scale).filter(|place| wanted(place.0)) {
             let mut put =
                 |b: u32, row: usize, v: Vec3| (0..3).for_each(|k| forces[b as usize][row + k] += v[k]);
+            let Some(spin) = self.turning(a, spin, body.state) else {
+                let director = Vec3::from_row_slice(&body.state[a as usize][3..]);
+                put(a, 3, self.axis.cross(&director) * moment);
+                continue;
+            };
+            let turned = self.at(a, moment, spin, body.state);
             let mut sum = Vec3::zeros();
             for &(b, [g1, g2]) in &spin.around {
                 let force = (turned.arms[0] * g1 + turned.arms[1] * g2) * turned.size;
@@ -145,13 +169,13 @@ impl Load for DrillingCouple {
     }
 
     fn on_share(&self, own: &Range<usize>, _: &Reference) -> Option<LoadOnShare> {
-        let touches = |a: u32, spin: &Spin| {
-            let mut ends = spin.around.iter().map(|(b, _)| *b).chain([a]);
-            ends.any(|b| own.contains(&(b as usize)))
+        let ends = |a: u32, spin: Option<&Spin>| {
+            let around = spin.into_iter().flat_map(|spin| &spin.around);
+            around.map(|(b, _)| *b).chain([a]).collect::<Vec<u32>>()
         };
-        let places: Vec<_> = self.each().filter(|(_, a, _, spin)| touches(*a, spin)).collect();
-        let reads = places.iter().flat_map(|(_, a, _, spin)| spin.around.iter().map(|(b, _)| *b).chain([*a]));
-        let reads = reads.collect();
+        let touches = |a: u32, spin| ends(a, spin).into_iter().any(|b| own.contains(&(b as usize)));
+        let places: Vec<_> = self.each(1.0).filter(|(_, a, _, spin)| touches(*a, *spin)).collect();
+        let reads = places.iter().flat_map(|(_, a, _, spin)| ends(*a, *spin)).collect();
         let mut wanted = vec![false; self.shares.len()];
         places.iter().for_each(|place| wanted[place.0] = true);
         let couple = self.clone();
@@ -162,10 +186,13 @@ impl Load for DrillingCouple {
 
     /// Derivatives of the formulas above.
     fn stiffness(&self, scale: f64, body: &Body<'_>, put: &mut dyn FnMut(u32, u32, &Block)) {
-        for (_, a, part, spin) in self.each() {
-            let part = scale * part;
-            let turned = self.at(a, part, spin, body.state);
-            let changes = turned.changes(&(self.moment * part), spin.of_line);
+        for (_, a, moment, spin) in self.each(scale) {
+            let Some(spin) = self.turning(a, spin, body.state) else {
+                put(a, a, &place_block(3, 3, &(self.axis.cross_matrix() * moment)));
+                continue;
+            };
+            let turned = self.at(a, moment, spin, body.state);
+            let changes = turned.changes(&(self.axis * moment), spin.of_line);
             // The particle itself stands in every difference with the opposite of all coefficients.
             let own = spin.around.iter().fold([0.0; 2], |sum, (_, g)| [sum[0] - g[0], sum[1] - g[1]]);
             let all = || spin.around.iter().copied().chain([(a, own)]);
@@ -195,7 +222,8 @@ impl Load for DrillingCouple {
 
     fn check(&self, reference: &Reference) -> Result<(), ShellError> {
         check_set("a couple", self.shares.iter().map(|share| share.0), reference)?;
-        match self.shares.iter().zip(&self.spins).find(|(_, spin)| spin.is_none()) {
+        let alone = |(_, spin): &(_, &Option<Spin>)| self.along > ACROSS && spin.is_none();
+        match self.shares.iter().zip(&self.spins).find(alone) {
             Some(((particle, _), _)) => Err(ShellError::DrillingAlone(*particle)),
             None => Ok(()),
         }
