@@ -27,6 +27,11 @@ pub enum Amplitude {
 }
 
 impl Amplitude {
+    /// The number at a place on straight lines between `[place, number]`, places ascending; beyond them that of the end, of no points one.
+    pub fn along(points: &[[f64; 2]], at: f64) -> f64 {
+        table(points, at)
+    }
+
     /// Times at which it turns a corner or ends to change \[T\].
     pub fn corners(&self) -> Vec<f64> {
         match self {

@@ -1,6 +1,6 @@
 //! Openings of a fluid as it is built, and what has gone through them.
 
-use sph_core::Vec3;
+use sph_core::{CellList, Vec3};
 
 use crate::cells::NOWHERE;
 use crate::error::FluidError;
@@ -60,7 +60,15 @@ impl Fluid {
         let mut near = vec![true; self.boundary.points.len()];
         for zone in &mut zones {
             let (into, spacing, columns) = (zone.opening.into, zone.spacing, zone.columns);
-            let base = zone.rows.iter().filter(|row| self.stands_before(zone, &row.place));
+            // The first layer of the fluid and the rows, as they stand in the plane of the opening.
+            let flat = |x: &Vec3| x - into * x.dot(&into);
+            let first = |x: &&Vec3| (0.0..spacing).contains(&zone.distance(x));
+            let layer: Vec<Vec3> = self.present.positions.iter().filter(first).map(flat).collect();
+            let (layer, mut found) = (CellList::new(&layer, spacing), Vec::new());
+            let base = zone.rows.iter().filter(|row| {
+                layer.within(&flat(&row.place), NEAR * spacing, &mut found);
+                !found.is_empty()
+            });
             let filled = base.flat_map(|row| {
                 (0..columns).map(move |k| row.place + into * (row.gone + k as f64 * spacing))
             });
@@ -97,7 +105,7 @@ impl Fluid {
     fn zone(&self, opening: Opening) -> Result<Zone, &'static str> {
         let into = opening.into;
         let axis = into.iamax();
-        let along = Vec3::from([0, 1, 2].map(|k| if k == axis { into[axis].signum() } else { 0.0 }));
+        let along = Vec3::ith(axis, into[axis].signum());
         if into != along || axis >= self.dimensions {
             return Err("is not across an axis of the fluid; give a unit vector along one");
         }
@@ -135,17 +143,6 @@ impl Fluid {
             return Err("has fluid outside; end the fluid there, or turn its direction round");
         }
         Ok(zone)
-    }
-
-    /// Whether the fluid has a particle before the row of a zone that begins at a place.
-    fn stands_before(&self, zone: &Zone, place: &Vec3) -> bool {
-        let into = zone.opening.into;
-        let across = |x: &Vec3| {
-            let way = x - place;
-            (way - into * way.dot(&into)).norm() < NEAR * zone.spacing
-        };
-        let near = |x: &Vec3| (0.0..zone.spacing).contains(&zone.distance(x));
-        self.present.positions.iter().any(|x| near(x) && across(x))
     }
 
     /// Makes room for so many particles, so that no step needs more.

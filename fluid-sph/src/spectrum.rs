@@ -8,6 +8,8 @@
 //! \[hasselmann1973, pierson1964\] Frequencies are drawn within equal parts of the band and phases from a whole turn, from a seed by a generator of whole numbers, so that they are the same on every
 //! machine; heights are scaled so that the sum of a_i²/2 is H_s²/16, whatever was drawn.
 
+use explicit_dynamics::Amplitude;
+
 use crate::waves::Waves;
 
 /// Band of frequencies in those of the peak: 6·10⁻⁵ of the energy of Pierson's and Moskowitz's spectrum lie below it, and 1.5 % above.
@@ -50,11 +52,8 @@ impl Spectrum {
                 libm::exp(-1.25 / (square * square)) / (square * square * x) * risen
             }
             Self::Table(points) => {
-                let pair = points.windows(2).find(|pair| pair[0][0] <= frequency && frequency <= pair[1][0]);
-                pair.map_or(0.0, |pair| {
-                    let ([a, low], [b, high]) = (pair[0], pair[1]);
-                    low + (high - low) * ((frequency - a) / (b - a))
-                })
+                let [low, high] = self.band(peak);
+                if (low..=high).contains(&frequency) { Amplitude::along(points, frequency) } else { 0.0 }
             }
         }
     }

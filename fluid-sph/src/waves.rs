@@ -129,4 +129,18 @@ mod tests {
             assert!((own.of_flap() / height - 1.0).abs() < 1e-6);
         }
     }
+
+    // into `mod tests` of the file
+    /// On both sides of the depth from which exponentials stand for hyperbolic functions, kd = 300, formulas are their limits to rounding, and far beyond finite:
+    /// 2 of a piston, 2 − 2/kd of a flap, half of the speed of the wave of the group.
+    #[test]
+    fn deep_water_joins_its_limit() {
+        for depth in [70.0, 74.5, 74.6, 80.0, 1e3, 1e6] {
+            let own = waves(depth);
+            let x = std::f64::consts::TAU * depth / own.length();
+            assert!((own.of_piston() / 2.0 - 1.0).abs() < 1e-14, "{depth}: {}", own.of_piston());
+            assert!((own.of_flap() / (2.0 - 2.0 / x) - 1.0).abs() < 1e-14, "{depth}: {}", own.of_flap());
+            assert!((own.group_velocity() / (0.5 * own.length()) - 1.0).abs() < 1e-14, "{depth}");
+        }
+    }
 }

@@ -123,6 +123,7 @@ fn sound_comes_back() {
     let free = pulse(0.3, 0.6, velocity(0.0));
     for (given, sign) in [(velocity(0.0), 1.0), (Given::Pressure { at_level: 0.0, level: 0.0 }, -1.0)] {
         let back = pulse(0.3, -0.6, given.clone()) / free;
+        println!("{given:?}: {back:.2}");
         assert!((back * sign - 1.0).abs() < 0.1, "{given:?}: {back}");
     }
 }
@@ -178,6 +179,7 @@ fn what_comes_and_goes_is_counted() {
     let flow = (came - back) as f64 * SPACING * SPACING / (0.33 * 0.2);
     assert!((flow - 1.0).abs() < 0.01, "{flow}");
     let last = rows.last().unwrap();
+    println!("missing {:e}", last.balance_error / last.energy.external);
     assert!(
         last.balance_error.abs() < 4e-3 * last.energy.external.abs(),
         "{} {:?}",

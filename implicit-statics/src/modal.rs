@@ -46,15 +46,7 @@ pub fn natural_modes<'a, E: Equilibrium + ?Sized>(
     shift: f64,
     watch: &'a mut Watch<'a>,
 ) -> Result<Spectrum<Mode>, EquilibriumError> {
-    let pattern = system.pattern();
-    let mut values = vec![0.0; pattern.len()];
-    system.tangent(level, &mut values);
-    let masses = system.vibrating_masses();
-    let beside = system.beside_pattern(level);
-    let solver = CountingSolver::new(masses.len(), &pattern, system.coordinates().as_deref(), watch)?;
-    let stiffness = Stiffness { pattern: &pattern, values: &values, beside: &beside };
-    let inertia = Masses { own: &masses, added: None };
-    modes_of(solver, stiffness, inertia, count, shift).map_err(|error| error.named(system, 0, level))
+    modes_beside(system, level, None, (count, shift), watch)
 }
 
 /// The same with the mass that a medium beside it adds: `K φ = ω² (M + Mₐ) φ`, shapes with unit mass of both.
@@ -65,25 +57,36 @@ pub fn natural_modes_with<'a, E: Equilibrium + ?Sized>(
     (count, shift): (usize, f64),
     watch: &'a mut Watch<'a>,
 ) -> Result<Spectrum<Mode>, EquilibriumError> {
+    modes_beside(system, level, Some(added), (count, shift), watch)
+}
+
+fn modes_beside<'a, E: Equilibrium + ?Sized>(
+    system: &mut E,
+    level: f64,
+    added: Option<&mut AddedMass>,
+    (count, shift): (usize, f64),
+    watch: &'a mut Watch<'a>,
+) -> Result<Spectrum<Mode>, EquilibriumError> {
     let pattern = system.pattern();
     let mut values = vec![0.0; pattern.len()];
     system.tangent(level, &mut values);
     let masses = system.vibrating_masses();
-    require(
-        added.reach() <= masses.len(),
-        "unknown of an added mass",
-        added.reach() as f64,
-        "one of the system's",
-    )?;
     let mut beside = system.beside_pattern(level);
-    let all = masses.len() + added.nodes();
-    beside.iter_mut().for_each(|term| term.along.resize(all, 0.0));
-    let solver = CountingSolver::new(all, &added.beside(masses.len(), &pattern), None, watch)?;
+    let n = masses.len();
+    let solver = match &added {
+        None => CountingSolver::new(n, &pattern, system.coordinates().as_deref(), watch)?,
+        Some(added) => {
+            let reach = added.reach();
+            require(reach <= n, "unknown of an added mass", reach as f64, "one of the system's")?;
+            let all = n + added.nodes();
+            beside.iter_mut().for_each(|term| term.along.resize(all, 0.0));
+            CountingSolver::new(all, &added.beside(n, &pattern), None, watch)?
+        }
+    };
     let stiffness = Stiffness { pattern: &pattern, values: &values, beside: &beside };
-    let inertia = Masses { own: &masses, added: Some(added) };
-    modes_of(solver, stiffness, inertia, count, shift).map_err(|error| match error {
+    modes_of(solver, stiffness, Masses { own: &masses, added }, count, shift).map_err(|error| match error {
         // A node of the medium has no name.
-        EquilibriumError::Singular { unknown, .. } if unknown >= masses.len() => error,
+        EquilibriumError::Singular { unknown, .. } if unknown >= n => error,
         error => error.named(system, 0, level),
     })
 }

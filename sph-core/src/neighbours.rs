@@ -74,6 +74,25 @@ impl CellList {
         }
     }
 
+    /// The particle nearest to `centre`, of several as near the first; none where there is none.
+    pub fn nearest_particle(&self, centre: &Vec3) -> Option<u32> {
+        let mut radius = self.size;
+        loop {
+            let mut best: Option<(f64, u32)> = None;
+            self.visit(centre, radius, |particle, square| {
+                let nearer =
+                    |(least, other): (f64, u32)| square < least || square == least && particle < other;
+                if best.is_none_or(nearer) {
+                    best = Some((square, particle));
+                }
+            });
+            if best.is_some() || self.particles.is_empty() || radius == f64::INFINITY {
+                return best.map(|own| own.1);
+            }
+            radius *= 2.0;
+        }
+    }
+
     /// Calls `found(particle, squared distance)` for everything within `radius`.
     fn visit(&self, centre: &Vec3, radius: f64, mut found: impl FnMut(u32, f64)) {
         let reach = Vec3::repeat(radius);

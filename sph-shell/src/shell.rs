@@ -279,7 +279,6 @@ impl Shell {
     /// The moment that the supports and springs of a particle's director bear, `d × ∂U/∂d` less that of the couple on it, and what holds the
     /// direction of a stiffener there in the surface \[F L\], for the last forces evaluated.
     pub fn reaction_moment(&self, particle: usize) -> Vec3 {
-        let of_bars = self.stiffeners.held_at(&self.motion.state, particle);
         let [f, e] = [self.internal_force(particle), self.external_force(particle)];
         let s = self.loading.spring_force(particle);
         if let Some(group) = self.dependents.junctions.of(particle) {
@@ -292,8 +291,9 @@ impl Shell {
                 + about_first(&self.gathered(particle, |a| self.loading.spring_force(a)))
                 - about_first(&self.dependents.junctions.body_load(particle))
                 + about_first(&self.body_springs().row(particle))
-                + of_bars;
+                + group.sum_of(|a| self.stiffeners.held_at(&self.motion.state, a));
         }
+        let of_bars = self.stiffeners.held_at(&self.motion.state, particle);
         of_bars + self.director(particle).cross(&Vec3::from_fn(|k, _| f[3 + k] - e[3 + k] + s[3 + k]))
     }
 

@@ -27,7 +27,7 @@ const SHIFTS: [f64; 3] = [1e-8, 1e-6, 1e-10];
 /// Part of the greatest ω² below which an ω² is zero, a rigid motion that springs leave free: they come out as 1e-14 of it on either side of
 /// zero, and the least bending of a thin shell is some 1e-8.
 const ROUNDED: f64 = 1e-12;
-/// Part of the square of a frequency that waves of the free surface may add before that is said: 1 % of the frequency.
+/// Part of the square of a frequency that gravity may add or take before that is said: 1 % of the frequency.
 const WAVES: f64 = 0.02;
 /// Relative difference of a mode's level by the two linearisations beyond which the change of shape before buckling counts: a
 /// clamped cap has .18 and its path ends a fifth below the level, plates, columns and deep beams have .004 at most.

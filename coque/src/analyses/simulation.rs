@@ -125,14 +125,13 @@ impl<'a> Simulation<'a> {
         let from = from.filter(|stage| !matches!(stage, Stage::Preload));
         Self {
             preloads: from.is_none(),
-            course: match (model.cases.take(), model.shaken.take(), &model.task.analysis) {
-                (Some(scene), _, Analysis::Harmonic(_)) => Course::HarmonicCases(scene, model.threads),
+            course: match (model.cases.take(), model.shaken.take(), model.water.take(), &model.task.analysis)
+            {
+                (Some(scene), _, _, Analysis::Harmonic(_)) => Course::HarmonicCases(scene, model.threads),
                 (Some(cases), ..) => Course::Cases(Box::new(Cases::new(*cases, model.threads))),
-                (None, Some(scene), _) => Course::Shaken(scene, model.threads),
-                (None, None, &Analysis::Modal(wanted)) if model.water.is_some() => {
-                    model.water.take().map_or(Course::Modal(wanted), |water| Course::WetModes(wanted, water))
-                }
-                (None, None, _) => Course::new(
+                (None, Some(scene), ..) => Course::Shaken(scene, model.threads),
+                (None, None, Some(water), &Analysis::Modal(wanted)) => Course::WetModes(wanted, water),
+                (None, None, ..) => Course::new(
                     &model.task.analysis,
                     (model.description.tangent, particles),
                     from,

@@ -54,7 +54,7 @@ pub struct Fields {
     /// as well.
     pub reserve: Option<Criterion>,
     /// Of a scene with load cases four frames more, behind those of the cases, with each number of each field over the combinations, else over the cases: the
-    /// least, the greatest, the greatest size, and the number of the case that has it.
+    /// least, the greatest, the greatest size (of reserve factors the least), and the number of the case that has it.
     #[serde(default)]
     pub envelope: bool,
 }

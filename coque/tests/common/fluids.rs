@@ -1,5 +1,17 @@
 //! Small scenes of fluids: a dam break, and a gate between water and air, of a shell and of a solid.
 
+use coque::Outcome;
+
+use super::column;
+
+/// Greatest difference of a column from a factor times another, over the greatest.
+pub fn apart(one: &Outcome, other: &Outcome, name: &str, factor: f64) -> f64 {
+    let [one, other] = [one, other].map(|outcome| column(outcome, name));
+    let most = one.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let pairs = one.iter().zip(&other);
+    pairs.map(|(a, b)| (a * factor - b).abs()).fold(0.0, f64::max) / (factor.abs() * most)
+}
+
 /// A column of water in a tank.
 pub const DAM: &str = r#"title = "Dam break"
 units = { length = "m", force = "N", time = "s" }

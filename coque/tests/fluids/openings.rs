@@ -1,7 +1,8 @@
-//! Openings of fluids in scenes: the same flow in other units, past a moving bed, in sittings; what comes and goes; spectra of waves; what is refused.
+//! Openings of fluids in scenes: the same flow in other units, in a mirror, in sittings; what comes and goes; what is refused.
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+use crate::common::fluids::apart;
 use crate::common::refused::refused;
 use crate::common::sittings::stopped_again_and_again;
 use crate::common::{Replaced, column, overridden, ran};
@@ -24,14 +25,6 @@ geometry.block = { lengths = [0.5, 0.04], origin = [-0.05, -0.04] }
 
 fn channel(replaced: Replaced) -> Outcome {
     ran(overridden(CHANNEL, "channel.toml", replaced))
-}
-
-/// Greatest difference of a column from a factor times another, over the greatest.
-fn apart(one: &Outcome, other: &Outcome, name: &str, factor: f64) -> f64 {
-    let [one, other] = [one, other].map(|outcome| column(outcome, name));
-    let most = one.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let pairs = one.iter().zip(&other);
-    pairs.map(|(a, b)| (a * factor - b).abs()).fold(0.0, f64::max) / (factor.abs() * most)
 }
 
 /// What came in, went out and stayed is in the summary, and adds up; the run warns of nothing.
@@ -148,4 +141,106 @@ fn what_openings_do_not_go_with_is_refused() {
         CHANNEL,
         &[("a structure", "[bodies.bed.walls]", float), ("a mean of what comes and goes", level, mean)],
     ));
+}
+
+/// Trapezoids of a product of columns, and of what is given, over the records.
+fn over_time(outcome: &Outcome, of: impl Fn(f64, f64) -> f64, name: &str) -> f64 {
+    let (times, values) = (column(outcome, "time"), column(outcome, name));
+    let own: Vec<f64> = times.iter().zip(&values).map(|(time, value)| of(*time, *value)).collect();
+    (1..own.len()).map(|i| 0.5 * (times[i] - times[i - 1]) * (own[i - 1] + own[i])).sum()
+}
+
+/// Velocity by a course, without a level, from rest: the surface goes up with it, and what passes just inside is the velocity times the depth, for the opening does not take the wave
+/// that it makes for one that comes to it. What has come in less what went back is that to a column, whose rows come each in its turn.
+#[test]
+fn a_velocity_by_a_course_comes_in_without_a_level() {
+    let outcome = channel(&[
+        ("bodies.water.fluid.velocity.linear", "[0, 0, 0]"),
+        ("analysis.explicit.transient.duration", "0.6"),
+        ("curve[0].at", "[0.02, 0, 0]"),
+        ("curve[1].through.point", "[0.02, 0, 0]"),
+        (
+            "bodies.water.fluid.openings",
+            "[{ at = [0, 0, 0], into = [1, 0, 0], velocity = 0.1, amplitude = { table = [[0, 0], [0.3, 1.0], [0.6, 0.2]] } }, { at = [0.4, 0, 0], into = [-1, 0, 0], level = 0.1 }]",
+        ),
+    ]);
+    let course = |time: f64| if time < 0.3 { time / 0.3 } else { 1.0 - 0.8 * (time - 0.3) / 0.3 };
+    let asked = over_time(&outcome, |time, depth| 0.1 * course(time) * depth, "h");
+    let passed = over_time(&outcome, |_, flux| flux, "q");
+    println!("asked {asked:e}, passed {passed:e}: {:.2} %", 100.0 * (passed / asked - 1.0));
+    // Measured 1.0 %; of .2 m/s, a fifth of the speed of waves, −4.7 %, for the wave gives way by a straight line. Three times the first.
+    assert!((passed / asked - 1.0).abs() < 0.03, "{asked} {passed}");
+    let fluid = outcome.summary.record.fluid.as_ref().unwrap();
+    let net = (fluid.came_in[0] - fluid.went_out[0]) as f64;
+    // Measured 4.4 particles of the ten of a column.
+    assert!((net - passed / 1e-4).abs() < 10.0, "{net} {passed}");
+    let depths = column(&outcome, "h");
+    // A wave of .1 m/s is √(h/g) of it high, .0101: measured .0099, 1.7 % less; three times that.
+    let rise = depths.iter().fold(0.0, |most: f64, depth| most.max(*depth)) - depths[0];
+    assert!((rise / (0.1 * (0.1 / 9.81_f64).sqrt()) - 1.0).abs() < 0.05, "{rise}");
+}
+
+/// Still water between two openings of one level stays: nothing comes or goes, no water passes the middle, and the surface swings by what the start leaves.
+#[test]
+fn still_water_stays_between_two_levels() {
+    let outcome = channel(&[
+        ("bodies.water.fluid.velocity.linear", "[0, 0, 0]"),
+        ("analysis.explicit.transient.duration", "1.0"),
+        (
+            "bodies.water.fluid.openings",
+            "[{ at = [0, 0, 0], into = [1, 0, 0], level = 0.1 }, { at = [0.4, 0, 0], into = [-1, 0, 0], level = 0.1 }]",
+        ),
+    ]);
+    let fluid = outcome.summary.record.fluid.as_ref().unwrap();
+    assert_eq!((&fluid.came_in[..], &fluid.went_out[..]), (&[0, 0][..], &[0, 0][..]));
+    // Both ends are alike: rounding, 1e-15 after a second, which grows tenfold in a third of one.
+    assert!(column(&outcome, "q").iter().all(|flux| flux.abs() < 1e-12));
+    // Measured .0017 of .1, a sixth of a spacing: three times that.
+    let worst = column(&outcome, "h").iter().fold(0.0, |most: f64, depth| most.max((depth - 0.1).abs()));
+    assert!(worst < 0.0051, "{worst}");
+}
+
+/// Levels that drive water from one to the other or that it falls from too fast, velocities too fast by their profile or course, suction of a fluid that bears none.
+#[test]
+fn levels_and_pressures_that_cannot_be_are_refused() {
+    let own = "openings = [{ at = [0, 0, 0], into = [1, 0, 0], velocity = 0.4 }, { at = [0.4, 0, 0], into = [-1, 0, 0], level = 0.1 }]";
+    let out = |given: &str| {
+        format!(
+            "openings = [{{ at = [0, 0, 0], into = [1, 0, 0], velocity = 0.4 }}, {{ at = [0.4, 0, 0], into = [-1, 0, 0], {given} }}]"
+        )
+    };
+    let into = |given: &str| format!("openings = [{{ at = [0, 0, 0], into = [1, 0, 0], {given} }}]");
+    let differ = "openings = [{ at = [0, 0, 0], into = [1, 0, 0], level = 0.1 }, { at = [0.4, 0, 0], into = [-1, 0, 0], level = 0.09 }]";
+    let gravity = "loads = [{ on = \"all\", gravity = { acceleration = [0.0, -9.81, 0.0] } }]";
+    let dry = CHANNEL.replace(gravity, "loads = []");
+    for (scene, given, key, bound) in [
+        (CHANNEL, differ.to_string(), "openings[1].level` is 0.09", "0.1, as of the other opening"),
+        // .2340 m are v²/2g of 15/7 m/s.
+        (CHANNEL, out("level = 0.3"), "openings[1].level` is 0.3", "at most 0.2340"),
+        (
+            CHANNEL,
+            into("velocity = 1.5, profile = [[0.0, 1.0], [0.1, 1.5]]"),
+            "openings[0].velocity` is 2.25",
+            "at most 2.1429",
+        ),
+        (
+            CHANNEL,
+            into("velocity = 1.5, amplitude = { table = [[0, 1.0], [0.1, -1.5]] }"),
+            "openings[0].velocity` is 2.25",
+            "at most 2.1429",
+        ),
+        (dry.as_str(), out("pressure = -100.0"), "openings[1].pressure` is -100", "`confined`"),
+    ] {
+        let said = refused(scene, &[(key, own, &given)]).replace("\n  │ ", " ");
+        assert!(said.contains(key) && said.contains(bound), "{said}");
+    }
+    // A fluid that bears suction is drawn out by it.
+    let drawn = [
+        ("loads", "[]"),
+        ("curve", "[]"),
+        ("analysis.explicit.transient.duration", "0.02"),
+        ("bodies.water.fluid.formulation.weakly-compressible.confined", "true"),
+        ("bodies.water.fluid.openings[1]", "{ at = [0.4, 0, 0], into = [-1, 0, 0], pressure = -100.0 }"),
+    ];
+    assert_eq!(channel(&drawn).ended, coque::Ended::Done);
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+use crate::common::fluids::apart;
 use crate::common::refused::refused;
 use crate::common::sittings::stopped_again_and_again;
 use crate::common::{Replaced, column, overridden, ran, text};
@@ -32,14 +33,6 @@ fn stream(replaced: Replaced) -> Outcome {
 /// The water before and behind the block, and over both.
 const FILLED: &str = "{ blocks = { spacing = 0.01, parts = [{ lengths = [0.4, 0.08], origin = [0.0, 0.02] }, { lengths = [0.25, 0.02], origin = [0.0, 0.0] }, \
                       { lengths = [0.05, 0.02], origin = [0.35, 0.0] }] } }";
-
-/// Greatest difference of a column from a factor times another, over the greatest.
-fn apart(one: &Outcome, other: &Outcome, name: &str, factor: f64) -> f64 {
-    let [one, other] = [one, other].map(|outcome| column(outcome, name));
-    let most = one.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let pairs = one.iter().zip(&other);
-    pairs.map(|(a, b)| (a * factor - b).abs()).fold(0.0, f64::max) / (factor.abs() * most)
-}
 
 /// In the mirror of x the stream flows back.
 #[test]

@@ -51,6 +51,7 @@ fn a_floor_on_springs_lifts_its_water() {
     ]
     .map(|replaced| frequencies(SPRUNG, replaced)[0] / exact - 1.0);
     // The column is exact; springs are shared by particles and masses by area, so that the floor bends: 3e-8 of the frequency.
+    println!("floor on springs: {plane:e} {space:e}");
     assert!(plane.abs() < 1e-7 && space.abs() < 1e-7 && (plane - space).abs() < 1e-9, "{plane:e} {space:e}");
 }
 
@@ -254,4 +255,44 @@ fn refusals() {
     let static_one = refused(SPRUNG, &[("analysis", "{ static.levels = 1 }")]);
     assert!(static_one.contains("modes of shells in still water"), "{static_one}");
     assert!(Scene::parse(SPRUNG, "scene.toml").is_ok());
+}
+
+/// Water that begins a part of a spacing above the face of the floor reaches down to it: its column is that much higher. Beyond half a spacing the face is dry.
+#[test]
+fn water_reaches_over_a_gap_to_the_floor() {
+    let at = |gap: f64| format!("[0.0, {:?}, 0.225]", -0.025 - gap);
+    let modal = [("analysis", "{ modal.modes = 1 }"), ("loads", WEIGHT)];
+    for part in [0.1, 0.2, 0.4, 0.49] {
+        let gap = 0.05 * part;
+        let exact = (145_800.0_f64 / 0.27 / (100.0 + 1000.0 * (0.6 + gap))).sqrt() / TAU;
+        let origin = at(gap);
+        let found = frequencies(SPRUNG, &[modal[0], modal[1], ("bodies.floor.shell.placed.origin", &origin)]);
+        let off = found[0] / exact - 1.0;
+        // As without a gap, 3e-8: springs are shared by particles and masses by area.
+        assert!(off.abs() < 1e-7, "{part}: {off:e}");
+    }
+    let beyond = at(0.51 * 0.05);
+    let dry = refused(SPRUNG, &[modal[0], modal[1], ("bodies.floor.shell.placed.origin", &beyond)]);
+    assert!(dry.contains("no wet face has water"), "{dry}");
+}
+
+/// A fluid in a plane has one width, that of its shells; water stands in no wall and at no place twice, blocks side by side are one.
+#[test]
+fn water_stands_once_and_has_one_width() {
+    let both = tank(&[("a", true), ("b", false)], false);
+    let wide = refused(&both, &[("bodies.b.shell.geometry.plate.lengths", "[1.0, 0.2]")]);
+    assert!(wide.contains("several widths"), "{wide}");
+    let (modal, weight) = (("analysis", "{ modal.modes = 1 }"), ("loads", WEIGHT));
+    let blocks = |parts: &str| format!("{{ blocks = {{ spacing = 0.05, parts = [{parts}] }} }}");
+    let of = |geometry: &str| refused(SPRUNG, &[modal, weight, ("bodies.water.fluid.geometry", geometry)]);
+    for lengths in ["lengths = [0.65, 0.6]", "lengths = [0.6, 0.6], origin = [0.05, 0.0]"] {
+        let said = of(&format!("{{ block = {{ {lengths}, spacing = 0.05 }} }}"));
+        assert!(said.contains("stands at [0.6250, 0.0250, 0.0000]") && said.contains("wall"), "{said}");
+    }
+    let twice = of(&blocks("{ lengths = [0.6, 0.6] }, { lengths = [0.3, 0.3] }"));
+    assert!(twice.contains("two particles of the fluid stand at [0.0250, 0.0250, 0.0000]"), "{twice}");
+    let beside = blocks("{ lengths = [0.3, 0.6] }, { lengths = [0.3, 0.6], origin = [0.3, 0.0] }");
+    let beside = frequencies(SPRUNG, &[modal, weight, ("bodies.water.fluid.geometry", &beside)])[0];
+    // Cells in another order: rounding of a factor, 6e-16 of the frequency measured.
+    assert!((beside / frequencies(SPRUNG, &[modal, weight])[0] - 1.0).abs() < 1e-12);
 }

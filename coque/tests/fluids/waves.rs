@@ -222,3 +222,36 @@ fn waves_are_the_same_bits_however_they_are_run() {
     }
     stopped_again_and_again("flume", FLUME, &short, 3);
 }
+
+/// In water 503 times as deep as 1/k a piston goes a quarter of the height to either side and a flap, whose top is 1.35 times as high as the water at its highest row, by
+/// `H/2/(2 − 2/kd)` times that: hyperbolic functions of twice that depth overflow.
+#[test]
+fn walls_go_in_deep_water() {
+    let short = ("analysis.explicit.transient", "{ duration = 0.06, record_every = 0.01 }");
+    let crest = |hinge: &str| {
+        let made = format!("{{ height = 0.0003, period = 0.04, depth = 0.2, growth = 0.04{hinge} }}");
+        column(&flume(&[short, ("bodies.piston.walls.motion.waves", &made)]), "x")[5]
+    };
+    // Measured 8e-14: time of the record over the period.
+    assert!((crest("") / 7.5e-5 - 1.0).abs() < 1e-12, "{}", crest(""));
+    let kd = (std::f64::consts::TAU / 0.04).powi(2) * 0.2 / 9.81;
+    let top = 1.5e-4 / (2.0 - 2.0 / kd) * 0.27 / 0.2;
+    let flap = crest(", hinge = [0.0, 0.0, 0.0]");
+    // Measured 5e-5: rows lie behind the face of the flap and come forward as it leans; three times that.
+    assert!((flap / top - 1.0).abs() < 1.5e-4, "{flap} {top}");
+}
+
+/// The period of waves by a table is one of it.
+#[test]
+fn the_peak_of_a_table_lies_in_it() {
+    let said = |table: &str| {
+        let made = format!(
+            "{{ height = 0.004, period = 0.5, depth = 0.2, growth = 0.5, spectrum = {{ seed = 1, shape.table = {table} }} }}"
+        );
+        let scene = overridden(FLUME, "flume.toml", &[("bodies.piston.walls.motion.waves", &made)]);
+        scene.and_then(|scene| scene.build(1).map(drop)).err().map(|error| error.to_string())
+    };
+    let beside = said("[[2.5, 1.0], [3.0, 0.5]]").unwrap();
+    assert!(beside.contains("motion.waves.period") && beside.contains("0.3333 to 0.4000"), "{beside}");
+    assert_eq!(said("[[1.5, 0.5], [2.0, 1.0], [3.0, 0.5]]"), None);
+}

@@ -108,3 +108,41 @@ fn turns_and_pressures_of_solids() {
         ],
     ));
 }
+
+/// A pressure follows parts of a surface that have names; a load by area wants a part of it at its nodes. The same on a region at the surface is borne.
+#[test]
+fn loads_by_area_want_a_surface() {
+    let sets = "sets.inner = { box = { min = [1.4, 0.3, 0.3], max = [2.6, 0.7, 0.7] } }\n\
+                sets.skin = { box = { min = [1.0, -0.1, 0.7], max = [3.0, 1.1, 1.1] } }\ncurve";
+    let still = bar().replacen("curve", sets, 1);
+    let load = "on = \"x1\", traction = { value = [1.0, 0.0, 0.0] }";
+    let said = |text: &str, to: &str| refused(text, &[(to, load, to)]).replace("\n  │ ", " ");
+    for to in [
+        "on = \"inner\", traction = { value = [1.0, 0.0, 0.0] }",
+        "on = \"inner\", pressure = { value = 1.0 }",
+    ] {
+        let said = said(&still, to);
+        assert!(said.contains("`loads[0].on`") && said.contains("nothing of the surface"), "{said}");
+    }
+    let marched = still.replace(
+        "analysis.static = { levels = 1 }",
+        "analysis.explicit.quasi-static = { levels = 1, period = 10.0 }",
+    );
+    assert_ne!(marched, still);
+    for on in ["skin", "all", "inner"] {
+        let said = said(&marched, &format!("on = \"{on}\", pressure = {{ value = 1e-3, follower = true }}"));
+        assert!(
+            said.contains("`loads[0].on`") && said.contains("no part of the surface with a name"),
+            "{said}"
+        );
+    }
+    for (text, to) in [
+        (&still, "on = \"skin\", traction = { value = [1.0, 0.0, 0.0] }"),
+        (&still, "on = \"skin\", pressure = { value = 1.0 }"),
+        (&marched, "on = \"x1\", pressure = { value = 1e-3, follower = true }"),
+        (&marched, "on = \"surface\", pressure = { value = 1e-3, follower = true }"),
+    ] {
+        let scene = coque::Scene::parse(&text.replacen(load, to, 1), "scene.toml");
+        assert!(scene.and_then(|scene| scene.build(1).map(drop)).is_ok(), "{to}");
+    }
+}

@@ -152,3 +152,78 @@ fn what_does_not_go_with_the_temperature_is_refused() {
     let second = refused(&scene.replace("[analysis.buckling]\nmodes = 1", "[analysis.linear]"), &cases);
     insta::assert_snapshot!(first + &second);
 }
+
+/// Factors are those of the temperature of the full load: a level beyond one, and a vibration without it, are refused; with levels up to one, or as a preload, it goes.
+#[test]
+fn factors_are_those_of_the_full_load() {
+    let coarse = ("geometry.plate.particles", "[9, 9]");
+    let tables = ("material.elastic.by_temperature", "{ reference = 20.0, young = [[20, 1.0], [220, 0.6]] }");
+    let said = |analysis: &str| {
+        let measured = "[{ name = \"u\", of = \"displacement\", on = \"all\", direction = [0, 0, 1] }]";
+        crate::common::refusal(PLATE, &[coarse, tables, ("analysis", analysis), ("curve", measured)], 400)
+    };
+    for analysis in ["{ static = { levels = [0.5, 1.5] } }", "{ relaxation = { levels = [0.5, 1.5] } }"] {
+        let said = said(analysis);
+        assert!(said.contains("levels up to one") && said.contains("`preload = true`"), "{said}");
+    }
+    let spectrum = "{ response-spectrum = { modes = 2, damping.ratio = 0.05, base = [{ acceleration = [0, 0, 1], by = \"period\", amplitude = { table = [[0, 1.0]] } }] } }";
+    for analysis in [
+        "{ modal = { modes = 1 } }",
+        "{ harmonic = { frequencies = [20.0], damping.structural = 0.05 } }",
+        spectrum,
+    ] {
+        let said = said(analysis);
+        assert!(said.contains("`loads[0].temperature`") && said.contains("`preload = true`"), "{said}");
+    }
+    done(PLATE, &[coarse, tables, ("analysis", "{ static = { levels = [0.5, 1.0] } }")]);
+    done(PLATE, &[coarse, tables, ("loads[0].preload", "true"), ("analysis", "{ modal = { modes = 1 } }")]);
+}
+
+/// Changes count from one reference: parts with another one are refused.
+#[test]
+fn parts_have_one_reference() {
+    let of = |reference: &str| {
+        let tables = "reference = 20.0, young = [[20, 1.0], [220, 0.6]]";
+        let own = tables.replace("reference = 20.0", &format!("reference = {reference}"));
+        [
+            ("geometry.plate.particles", "[9, 9]".to_string()),
+            ("material.elastic.by_temperature", format!("{{ {tables} }}")),
+            ("sets.half", "{ box = { min = [0, 0, 0], max = [0.25, 0.5, 0] } }".to_string()),
+            (
+                "parts",
+                format!(
+                    "[{{ on = \"half\", material.elastic = {{ young = 70e9, poisson = 0.3, density = 2700.0, expansion = 23e-6, by_temperature = {{ {own} }} }} }}]"
+                ),
+            ),
+        ]
+    };
+    let [other, same] = [of("30.0"), of("20.0")];
+    let said =
+        crate::common::refusal(PLATE, &other.each_ref().map(|(path, value)| (*path, value.as_str())), 400);
+    assert!(said.contains("by_temperature.reference` is 30; it must be 20 everywhere"), "{said}");
+    // The part is the plate: two tables that say the same are one.
+    let whole = [
+        ("geometry.plate.particles", "[9, 9]"),
+        ("material.elastic.by_temperature", "{ reference = 20.0, young = [[20, 1.0], [220, 0.6]] }"),
+    ];
+    let parts = done(PLATE, &same.each_ref().map(|(path, value)| (*path, value.as_str())));
+    // Rounding of a factor of 81 particles.
+    assert!((last(&parts, "level") / last(&done(PLATE, &whole), "level") - 1.0).abs() < 1e-11);
+}
+
+/// A table of one entry has one temperature: moduli at it go, moduli and conductivities elsewhere are refused with its ends.
+#[test]
+fn a_table_of_one_entry_has_one_temperature() {
+    let coarse = ("geometry.plate.particles", "[9, 9]");
+    let of = |entry: &str| format!("{{ reference = 20.0, young = [[{entry}, 0.5]] }}");
+    let (here, away) = (of("21.0"), of("20.0"));
+    // Held in its plane it buckles whatever its modulus (above): measured 9e-13, what modes are found to.
+    let [found, plain] =
+        [done(PLATE, &[coarse, ("material.elastic.by_temperature", &here)]), done(PLATE, &[coarse])];
+    assert!((last(&found, "level") / last(&plain, "level") - 1.0).abs() < 3e-12);
+    let said = crate::common::refusal(PLATE, &[coarse, ("material.elastic.by_temperature", &away)], 400);
+    assert!(said.contains("no factor at 21.0"), "{said}");
+    let fin = ("material.elastic.by_temperature", "{ reference = 20.0, conductivity = [[20, 1.0]] }");
+    let ended = crate::common::run("cooled-fin.toml", &[fin]).summary.ended;
+    assert!(ended.contains("goes from 20 to 20"), "{ended}");
+}

@@ -119,3 +119,45 @@ output.fields = {}
 ";
     insta::assert_snapshot!(refused(scene, &[("no cases", "fields = {}", "fields = { envelope = true }")]));
 }
+
+/// Of reserve factors the least counts: the frame of sizes has it, and the governing case is the one that has it; failure indices govern by the greatest.
+/// Labels of plies have no envelope.
+#[test]
+fn the_least_reserve_governs() {
+    let plate = "title = \"Plate\"
+units = { length = \"m\", force = \"N\", time = \"s\" }
+geometry.plate = { lengths = [0.4, 0.3], particles = [7, 6] }
+material.elastic = { young = 70e9, poisson = 0.3, density = 2700.0, strength = 2e8 }
+section.homogeneous = { thickness = 0.004 }
+supports = [{ on = \"u0\", clamped = {} }]
+loads = [
+    { on = \"all\", gravity = { acceleration = [0, 0, -1] }, case = \"weight\" },
+    { on = \"u1\", force = { total = [0, 0, 10.0] }, case = \"tip\" },
+    { on = \"u1\", force = { total = [3e3, 0, 0] }, case = \"pull\" },
+]
+analysis.linear = {}
+output.fields = { reserve = \"von-mises\", envelope = true }
+";
+    let frames = kept(plate, &[]);
+    let (cases, ends) = frames.split_at(frames.len() - 4);
+    let of = |sheet: &Sheet, name: &str| {
+        sheet.point_data.get(name).or(sheet.cell_data.get(name)).map(|array| array.numbers.clone())
+    };
+    for (name, worst) in [("reserve_factor", 0), ("failure_index", 1)] {
+        let [least, greatest, size, governing] = [0, 1, 2, 3].map(|k| of(&ends[k].2, name).unwrap());
+        let mut met = [0; 3];
+        for i in 0..size.len() {
+            let all: Vec<f64> = cases.iter().map(|(_, _, sheet)| of(sheet, name).unwrap()[i]).collect();
+            assert_eq!(least[i], all.iter().copied().fold(f64::INFINITY, f64::min));
+            assert_eq!(greatest[i], all.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+            assert_eq!(size[i], [least[i], greatest[i]][worst], "{name} {i}");
+            let number = governing[i] as usize;
+            assert_eq!((all[number - 1], cases[number - 1].1), (size[i], governing[i]), "{name} {i}");
+            met[number - 1] += 1;
+        }
+        // The push on the tip at the clamp, the pull from the middle on, the weight nowhere.
+        assert!(met[0] == 0 && met[1] > 0 && met[2] > 0, "{name}: {met:?}");
+    }
+    assert!(of(&cases[0].2, "worst_ply").is_some());
+    assert!(ends.iter().all(|end| of(&end.2, "worst_ply").is_none()));
+}

@@ -187,3 +187,27 @@ fn what_heat_in_time_does_not_go_with_is_refused() {
     });
     insta::assert_snapshot!(refused(&scene, &cases));
 }
+
+/// A pulse that begins and ends between two rows enters in full, and a ramp that ends between them: a step ends at each corner of a course, so that no row and no tolerance
+/// tells what came.
+#[test]
+fn a_pulse_between_two_rows_enters_in_full() {
+    let coarse = ("geometry.plate.particles", "[6, 6]");
+    let capacity = 7850.0 * 480.0 * 0.002 * 0.01;
+    for (course, exact) in [
+        ("{ table = [[7.0, 0.0], [7.5, 1.0], [8.0, 0.0]] }", 40.0 * 0.5),
+        ("{ table = [[7.0, 0.0], [7.001, 1.0]] }", 40.0 * (20.0 - 7.0005)),
+        ("{ ramp = 7.0 }", 40.0 * (20.0 - 3.5)),
+    ] {
+        for every in ["20.0", "2.5"] {
+            let heat = format!("[{{ on = \"all\", flow = 40.0, amplitude = {course} }}]");
+            let analysis = format!(
+                "{{ heat = {{ transient = {{ start = 0.0, duration = 20.0, record_every = {every}, tolerance = 10.0 }} }} }}"
+            );
+            let found = done(PLATE, &[coarse, ("heat", &heat), ("analysis", &analysis)]);
+            // Between corners the flow is a straight line, of which the rule is exact: measured 1e-15, some sums of rounding.
+            assert!((last(&found, "supplied_heat") / exact - 1.0).abs() < 1e-13, "{course}, {every}");
+            assert!((last(&found, "middle") * capacity / exact - 1.0).abs() < 1e-12, "{course}, {every}");
+        }
+    }
+}

@@ -38,12 +38,13 @@ fn a_bar_from_a_mesh_is_the_block() {
         .map(|geometry| ran(overridden(&bar(&geometry, rest), "", &[])));
     for name in ["u", "v", "s", "R"] {
         for (one, other) in column(&block, name).into_iter().zip(column(&mesh, name)) {
+            println!("{name}: {:e}", other / one - 1.0);
             assert!((one - other).abs() <= 1e-9 * one.abs(), "{name}: {one} {other}");
         }
     }
 }
 
-/// The bar turned in space, so that its faces cut the cells aslant: clamped at one end, a dead traction on the other bends it by a third of its length. The
+/// The bar turned in space, so that its faces cut the cells aslant: clamped at one end, a dead traction on the other bends it by a fifth of its length. The
 /// block beside it, on the same spacing.
 #[test]
 fn a_turned_bar_bends_as_the_block() {
@@ -128,9 +129,9 @@ fn a_uniform_stress_is_found() {
     let outcome = ran(overridden(&bar(&filled(&file, 0.21), &rest), "", &[]));
     let [most, least, u, v] = ["most", "least", "u", "v"].map(|name| last(&outcome, name));
     println!("uniform: {most} {least}, stretched {}", 1000.0 * (u - v));
-    // Measured .27 % of the stretch, 13 % of the stress of the worst node, at a corner, 3 % of the least: three times that.
-    assert!((1000.0 * (u - v) - 1.0).abs() < 0.008, "{}", 1000.0 * (u - v));
-    assert!(most < 1.4 && least > 0.9, "{most} {least}");
+    // Measured .01 % of the stretch, 7 % of the stress of the worst node, at a corner, 1.3 % of the least: three times that.
+    assert!((1000.0 * (u - v) - 1.0).abs() < 4e-4, "{}", 1000.0 * (u - v));
+    assert!(most < 1.22 && least > 0.96, "{most} {least}");
 }
 
 /// Lamé's ball: a node of the cavity and one of the outer face.
@@ -168,6 +169,7 @@ fn a_half_moves_as_the_whole() {
     let whole = found(-0.7, "");
     let half = found(-0.4, ", { on = \"y0\", symmetry = { normal = [0, 1, 0] } }");
     for (one, other) in whole.into_iter().zip(half) {
+        println!("half: {:e}", other / one - 1.0);
         assert!((other / one - 1.0).abs() < 1e-8, "{whole:?} {half:?}");
     }
 }
@@ -181,13 +183,13 @@ fn a_turned_bar_swings_as_the_block() {
         column(&ran(overridden(&bar(&geometry, rest), "", &[])), "frequency")
     };
     let file = Obj::cuboid([0.0; 3], [1.2, 0.6, 0.5]).mapped(turn).write("galerkin-swinging");
-    for (spacing, bound) in [(0.15, 0.09), (0.1, 0.065)] {
+    for (spacing, bounds) in [(0.15, [0.095, 0.095]), (0.1, [0.065, 0.03])] {
         let block = modes(format!("block = {{ lengths = [1.2, 0.6, 0.5], spacing = {spacing} }}"));
         let turned = modes(filled(&file, spacing));
         assert!(turned[5] < 1e-3 * turned[6], "{turned:?}");
         let off = [6, 7].map(|mode| turned[mode] / block[mode] - 1.0);
         println!("modes, {spacing}: {:?} %", off.map(|error| 100.0 * error));
-        // Measured −2.9 and −2.5, −2.1 and −.9 %: three times that. Masses of nodes that integrals leave without one.
-        assert!(off.iter().all(|error| error.abs() < bound), "{off:?}");
+        // Measured −3.1 and −3.1, −2.1 and −.9 %: three times that. Masses of nodes that integrals leave without one.
+        assert!(off.iter().zip(bounds).all(|(error, bound)| error.abs() < bound), "{off:?}");
     }
 }

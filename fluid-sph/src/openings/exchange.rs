@@ -12,9 +12,9 @@ use crate::openings::opening::Given;
 use crate::openings::zone::NEAR;
 use crate::state::State;
 
-/// The first of a range that is free.
-fn free(taken: &[bool], range: Range<usize>) -> Option<usize> {
-    range.into_iter().find(|&number| !taken[number])
+/// The first of what is left of a range that is free, which takes it and those before out of it.
+fn free(taken: &[bool], range: &mut Range<usize>) -> Option<usize> {
+    range.find(|&number| !taken[number])
 }
 
 impl Openings {
@@ -22,7 +22,7 @@ impl Openings {
     pub fn go_out(&mut self, present: &mut State, boundary: &mut Boundary, liquid: &Liquid) -> f64 {
         let mut gained = 0.0;
         for zone in &mut self.zones {
-            let depth = zone.depth();
+            let (depth, mut room) = (zone.depth(), zone.points.clone());
             for i in 0..self.here.len() {
                 let at = present.positions[i];
                 let distance = zone.distance(&at);
@@ -32,7 +32,7 @@ impl Openings {
                 let (velocity, density) = (present.velocities[i], present.densities[i]);
                 gained -= Self::energy(liquid, &velocity, density);
                 zone.went += 1;
-                if let Some(point) = free(&self.near, zone.points.clone()) {
+                if let Some(point) = free(&self.near, &mut room) {
                     self.near[point] = true;
                     boundary.points[point] = at;
                     boundary.densities[point] = density;
@@ -53,7 +53,7 @@ impl Openings {
     /// Points within an opening become particles, and those beyond the outer end of a zone leave it; the energy of a unit of mass that the
     /// fluid gains \[L²/T²\].
     pub fn come_in(&mut self, present: &mut State, boundary: &mut Boundary, liquid: &Liquid) -> f64 {
-        let (mut gained, mut from) = (0.0, 0);
+        let (mut gained, mut room) = (0.0, 0..self.here.len());
         for zone in &mut self.zones {
             let end = -zone.depth() - NEAR * zone.spacing;
             for point in zone.points.clone() {
@@ -63,11 +63,10 @@ impl Openings {
                     continue;
                 }
                 if distance >= 0.0 {
-                    let Some(i) = free(&self.here, from..self.here.len()) else {
+                    let Some(i) = free(&self.here, &mut room) else {
                         self.full = true;
                         continue;
                     };
-                    from = i + 1;
                     self.here[i] = true;
                     self.since[i] = at;
                     present.positions[i] = at;
@@ -93,7 +92,7 @@ impl Openings {
                 let all = present.positions.iter().zip(&self.here);
                 zone.count = all.filter(|(at, here)| **here && zone.counts(at)).count();
             }
-            let apart = zone.apart();
+            let (apart, mut room) = (zone.apart(), zone.points.clone());
             for number in 0..zone.rows.len() {
                 while zone.rows[number].gone >= apart {
                     zone.rows[number].gone -= apart;
@@ -101,7 +100,7 @@ impl Openings {
                     if !zone.feeds(number) {
                         continue;
                     }
-                    let Some(point) = free(&self.near, zone.points.clone()) else {
+                    let Some(point) = free(&self.near, &mut room) else {
                         self.full = true;
                         continue;
                     };

@@ -39,33 +39,3 @@ pub enum Given {
     /// Nothing: what gets there goes out.
     Free,
 }
-
-impl Given {
-    /// Factor of a velocity at a height, by straight lines between those of a profile.
-    pub(crate) fn factor(profile: &[[f64; 2]], height: f64) -> f64 {
-        let (Some(first), Some(last)) = (profile.first(), profile.last()) else { return 1.0 };
-        if height <= first[0] {
-            return first[1];
-        }
-        for pair in profile.windows(2) {
-            let ([a, u], [b, v]) = (pair[0], pair[1]);
-            if height < b {
-                return u + (v - u) * ((height - a) / (b - a));
-            }
-        }
-        last[1]
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn profiles_are_straight_between_their_heights_and_constant_beyond() {
-        let profile = [[0.0, 0.0], [0.5, 1.0], [1.0, 2.0]];
-        let found = [-1.0, 0.0, 0.25, 0.5, 0.75, 1.0, 3.0].map(|height| Given::factor(&profile, height));
-        assert_eq!(found, [0.0, 0.0, 0.5, 1.0, 1.5, 2.0, 2.0]);
-        assert_eq!(Given::factor(&[], 0.3), 1.0);
-    }
-}

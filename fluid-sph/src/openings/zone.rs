@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use sph_core::Vec3;
+use explicit_dynamics::Amplitude;
+use sph_core::{CellList, Vec3};
 
 use crate::boundary::points::Boundary;
 use crate::openings::opening::{Given, Opening};
@@ -151,9 +152,12 @@ impl Zone {
         }
         let top = self.bottom + depth;
         let base = self.rows.clone();
+        let places: Vec<Vec3> = base.iter().map(|row| row.place).collect();
+        let (list, mut found) = (CellList::new(&places, spacing), Vec::new());
         for row in &base {
             let above = row.place + self.up * spacing;
-            if base.iter().any(|other| (other.place - above).norm() < 0.5 * spacing) {
+            list.within(&above, 0.5 * spacing, &mut found);
+            if !found.is_empty() {
                 continue;
             }
             let count = libm::ceil((top - row.height) / spacing).max(0.0) as usize;
@@ -208,7 +212,7 @@ impl Zone {
         let Given::Velocity { into, profile, .. } = &self.opening.given else { return 0.0 };
         let (mut sum, mut count) = (0.0, 0.0);
         for number in (0..self.rows.len()).filter(|&row| self.feeds(row)) {
-            sum += Given::factor(profile, self.height(number));
+            sum += Amplitude::along(profile, self.height(number));
             count += 1.0;
         }
         if count > 0.0 { into * self.velocity * sum / count } else { 0.0 }
@@ -218,7 +222,7 @@ impl Zone {
     pub fn velocity_at(&self, height: f64) -> f64 {
         match &self.opening.given {
             Given::Velocity { into, profile, .. } => {
-                into * self.velocity * Given::factor(profile, height) - self.gives_way()
+                into * self.velocity * Amplitude::along(profile, height) - self.gives_way()
             }
             _ => self.velocity,
         }

@@ -35,9 +35,12 @@ pub(super) fn way(side: usize) -> Vec3 {
 }
 
 /// Looks at the sides of all cells; those of a third axis in a plane are closed.
-pub(super) fn links(parts: &StillParts<'_>, list: &CellList) -> Result<Vec<[Link; 6]>, StillError> {
-    let &StillParts { dimensions, spacing, positions, walls, .. } = parts;
-    let walls = CellList::new(walls, spacing);
+pub(super) fn links(
+    parts: &StillParts<'_>,
+    list: &CellList,
+    walls: &CellList,
+) -> Result<Vec<[Link; 6]>, StillError> {
+    let &StillParts { dimensions, spacing, positions, .. } = parts;
     let screened = screened(parts, list);
     let mut near = Vec::new();
     let mut all = vec![[Link::Closed; 6]; positions.len()];

@@ -165,8 +165,9 @@ impl StillWater {
     pub fn new(parts: &StillParts<'_>) -> Result<Self, StillError> {
         let StillParts { spacing, density, width, positions, .. } = *parts;
         let list = CellList::new(positions, spacing);
-        refuse_filled_places(parts, &list)?;
-        let links = links(parts, &list)?;
+        let walls = CellList::new(parts.walls, spacing);
+        refuse_filled_places(parts, &list, &walls)?;
+        let links = links(parts, &list, &walls)?;
         let found = sites(parts, &list, &links)?;
         if found.iter().all(Option::is_none) {
             return Err(StillError::Dry);
@@ -239,8 +240,7 @@ impl StillWater {
 }
 
 /// Refuses water in a wall, and water twice at one place.
-fn refuse_filled_places(parts: &StillParts<'_>, list: &CellList) -> Result<(), StillError> {
-    let walls = CellList::new(parts.walls, parts.spacing);
+fn refuse_filled_places(parts: &StillParts<'_>, list: &CellList, walls: &CellList) -> Result<(), StillError> {
     let mut near = Vec::new();
     for place in parts.positions {
         walls.within(place, FILLED * parts.spacing, &mut near);

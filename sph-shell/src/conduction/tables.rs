@@ -3,6 +3,8 @@
 //! Between two particles of a bar a conductivity that is linear in the temperature lets through `∫ k dT`, which is that of the mean times the difference: there
 //! Kirchhoff's transform is met to rounding \[carslaw1959\].
 
+use explicit_dynamics::Amplitude;
+
 use super::cells::CellMatrix;
 use super::{Conduction, ConductionError};
 
@@ -42,13 +44,7 @@ impl Conduction {
     /// The factor by which a cell conducts at temperatures of nodes; beyond the ends of its table, where iterations may come, that of the end.
     pub(super) fn conducts(&self, cell: usize, values: &[f64]) -> f64 {
         let Some(table) = self.tables.of(cell) else { return 1.0 };
-        let at = mean(&self.cells[cell], values);
-        let after = table.partition_point(|[t, _]| *t <= at);
-        match (after.checked_sub(1).and_then(|before| table.get(before)), table.get(after)) {
-            (Some([t0, x0]), Some([t1, x1])) => x0 + (x1 - x0) * (at - t0) / (t1 - t0),
-            (Some([_, x]), None) | (None, Some([_, x])) => *x,
-            (None, None) => 1.0,
-        }
+        Amplitude::along(table, mean(&self.cells[cell], values))
     }
 
     /// Refuses cells whose temperature is in no table.

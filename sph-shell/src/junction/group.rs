@@ -172,6 +172,11 @@ impl Group {
         self.particles[0] as usize
     }
 
+    /// Sum of a moment over its particles.
+    pub fn sum_of(&self, of: impl Fn(usize) -> Vec3) -> Vec3 {
+        self.particles.iter().map(|&a| of(a as usize)).fold(-Vec3::zeros(), |sum, own| sum + own)
+    }
+
     /// Two vectors that turn with the group, among rows `[x, d]` or their rates: directors, of a body a director and a chord.
     fn vectors(&self, rows: &[Row]) -> [Vec3; 2] {
         let row = |k: usize| &rows[self.particles[k] as usize];

@@ -53,13 +53,13 @@ impl Turn {
         placed(&self.ends, &self.fixed, state)
     }
 
-    /// The moment by which what holds its direction bears it, and where it does; none of a turn between two pieces \[F L\].
-    pub fn held(&self, state: &[Row]) -> Option<(u32, Vec3)> {
+    /// The moment by which what holds its direction bears it; none of a turn between two pieces \[F L\].
+    pub fn held(&self, state: &[Row]) -> Option<Vec3> {
         if self.fixed == Vec3::zeros() {
             return None;
         }
         let forces = self.bend.forces(&self.placement(state));
-        Some((self.ends.first()?.particle, self.fixed.cross(&Vec3::new(forces[0], forces[1], forces[2]))))
+        Some(self.fixed.cross(&Vec3::new(forces[0], forces[1], forces[2])))
     }
 
     /// Whether particles of a range feel it.

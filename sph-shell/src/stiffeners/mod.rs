@@ -293,8 +293,8 @@ impl Stiffeners {
 
     /// The moment by which a direction in the surface is held at a particle \[F L\]; none where no bar is held, which adds no zero to any.
     pub fn held_at(&self, state: &[Row], particle: usize) -> Vec3 {
-        let all = self.turns.iter().filter_map(|turn| turn.held(state));
-        all.filter(|(at, _)| *at as usize == particle).fold(-Vec3::zeros(), |sum, (_, moment)| sum + moment)
+        let all = self.turns.iter().filter(|turn| turn.particles().next() == Some(particle as u32));
+        all.filter_map(|turn| turn.held(state)).fold(-Vec3::zeros(), |sum, moment| sum + moment)
     }
 
     /// What each piece bears in a state.

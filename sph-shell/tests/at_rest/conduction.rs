@@ -339,3 +339,17 @@ fn a_conductivity_that_goes_with_the_temperature_is_kirchhoffs_transform() {
     let short = of(90.0).steady();
     assert!(matches!(short, Err(ConductionError::Table { .. })), "{short:?}");
 }
+
+/// A table of one entry knows one temperature: a plate of another one is refused with its ends.
+#[test]
+fn a_table_of_one_entry_knows_one_temperature() {
+    let cloud = flat([4, 3], [1.0, 0.5]);
+    let of = |held: f64| {
+        let mut conduction = isotropic(&cloud, 2.0);
+        conduction.by_temperature(&Vec::from_iter(0..cloud.cells.len() as u32), vec![[20.0, 1.5]]);
+        conduction.hold(&where_(&cloud, |x| x.x < 1e-9 || x.x > 1.0 - 1e-9), held).unwrap();
+        conduction.steady()
+    };
+    let beyond = of(25.0);
+    assert!(matches!(beyond, Err(ConductionError::Table { ends: [20.0, 20.0], .. })), "{beyond:?}");
+}

@@ -203,3 +203,23 @@ fn what_has_no_course_is_refused() {
     let found = course.advance(&cold, 1.0, EVERY);
     assert!(matches!(found, Err(ConductionError::BelowZero { .. })), "{found:?}");
 }
+
+/// A pulse of a fiftieth of the way, far from where halves of it end: a step ends at each of its corners, however much is allowed, and all of it enters.
+#[test]
+fn a_step_ends_at_the_corners_of_a_course() {
+    let cloud = flat([4, 3], [1.0, 0.5]);
+    let mut conduction = isotropic(&cloud, 2.0);
+    let pulse = Amplitude::Table(vec![[0.31, 0.0], [0.32, 1.0], [0.33, 0.0]]);
+    let shares = all(&cloud);
+    conduction.in_course(pulse, |conduction| conduction.supply(&shares));
+    let mut course = HeatCourse::new(&conduction, &shares, &vec![0.0; cloud.len()]).unwrap();
+    course.advance(&conduction, 1.0, EVERY).unwrap();
+    assert_eq!((course.steps(), course.time()), (4, 1.0));
+    // One by area over .5, for .01: the rule is exact of straight lines; the differences of times leave 1e-14.
+    let supplied = course.came().supplied / (0.5 * 0.01);
+    assert!((supplied - 1.0).abs() < 1e-12, "{supplied}");
+    assert!(open(&course).abs() < 1e-12, "{}", open(&course));
+    // Ends of the whole way and what lies beyond it add no step.
+    course.advance(&conduction, 1.5, EVERY).unwrap();
+    assert_eq!((course.steps(), course.time()), (5, 1.5));
+}

@@ -3,6 +3,7 @@
 use fluid_sph::{Screen, StillParts, StillWater, WetSite};
 use implicit_statics::{AddedMass, EquilibriumError};
 use sph_core::Vec3;
+use sph_shell::WetColumn;
 
 use super::build::coupled_walls;
 use crate::bodies::fluid::places;
@@ -88,7 +89,7 @@ fn sites(wet: &[WetSurface]) -> Vec<WetSite> {
     let mut all = Vec::new();
     for surface in wet {
         for column in &surface.columns {
-            for (_, sign) in faces(column.wet) {
+            for sign in faces(column.wet) {
                 let (place, normal) = (column.place, column.normal * sign);
                 all.push(WetSite { place, normal, half: surface.half, area: column.area });
             }
@@ -97,9 +98,19 @@ fn sites(wet: &[WetSurface]) -> Vec<WetSite> {
     all
 }
 
-/// Wet faces with the sign of their normal along the director.
-fn faces(wet: [bool; 2]) -> impl Iterator<Item = (usize, f64)> {
-    [(0, 1.0), (1, -1.0)].into_iter().filter(move |&(face, _)| wet[face])
+/// Signs of the normals of wet faces along the director.
+fn faces(wet: [bool; 2]) -> impl Iterator<Item = f64> {
+    wet.into_iter().zip([1.0, -1.0]).filter_map(|(wet, sign)| wet.then_some(sign))
+}
+
+/// Places with water before them: node, column, sign of the normal, and how unknowns move them; in the order of [`sites`].
+fn moved<'a>(
+    water: &'a StillWater,
+    wet: &'a [WetSurface],
+) -> impl Iterator<Item = (usize, &'a WetColumn, f64, &'a Vec<(usize, f64)>)> {
+    let columns = wet.iter().flat_map(|surface| surface.columns.iter().zip(&surface.along));
+    let all = columns.flat_map(|(column, along)| faces(column.wet).map(move |sign| (column, sign, along)));
+    all.zip(&water.sites).filter_map(|((column, sign, along), node)| Some(((*node)?, column, sign, along)))
 }
 
 /// Wet faces in the pressure at rest, which is less where they have gone up: how each moves along its normal, and `ρ A g·n`, n into the
@@ -110,19 +121,8 @@ fn weighed(
     density: f64,
     gravity: &Vec3,
 ) -> Vec<(Vec<(usize, f64)>, f64)> {
-    let (mut found, mut site) = (Vec::new(), 0);
-    for surface in wet {
-        for (column, along) in surface.columns.iter().zip(&surface.along) {
-            for (_, sign) in faces(column.wet) {
-                if water.sites[site].is_some() {
-                    let weight = density * column.area * sign * gravity.dot(&column.normal);
-                    found.push((along.clone(), weight));
-                }
-                site += 1;
-            }
-        }
-    }
-    found
+    let weight = |column: &WetColumn, sign: f64| density * column.area * sign * gravity.dot(&column.normal);
+    moved(water, wet).map(|(_, column, sign, along)| (along.clone(), weight(column, sign))).collect()
 }
 
 /// A power of two by whose square the Laplacian of the water is as great as the stiffness of the shells, the mass of a particle by the square of the fastest
@@ -138,18 +138,10 @@ fn scale(water: &StillWater, model: &mut Model) -> f64 {
 
 /// The mass that the water adds, its pressures in such a unit; sites come in the order of [`sites`].
 fn added(water: &StillWater, wet: &[WetSurface], scale: f64) -> Result<AddedMass, EquilibriumError> {
-    let (mut flux, mut site) = (Vec::new(), 0);
-    for surface in wet {
-        for (column, along) in surface.columns.iter().zip(&surface.along) {
-            for (_, sign) in faces(column.wet) {
-                if let Some(node) = water.sites[site] {
-                    let of =
-                        |&(unknown, way): &(usize, f64)| (node, unknown, scale * sign * column.area * way);
-                    flux.extend(along.iter().map(of));
-                }
-                site += 1;
-            }
-        }
+    let mut flux = Vec::new();
+    for (node, column, sign, along) in moved(water, wet) {
+        let of = |&(unknown, way): &(usize, f64)| (node, unknown, scale * sign * column.area * way);
+        flux.extend(along.iter().map(of));
     }
     let values = water.values.iter().map(|value| scale * scale * value).collect();
     AddedMass::new(water.nodes, water.pattern.clone(), values, flux)

@@ -82,7 +82,7 @@ pub(in crate::bodies) fn current(wanted: &scene::Current) -> Current {
 pub(in crate::bodies) fn opening(wanted: &FluidOpening) -> Opening {
     let into = Vec3::from(wanted.into);
     let axis = into.iamax();
-    let along = Vec3::from([0, 1, 2].map(|k| if k == axis { into[axis].signum() } else { 0.0 }));
+    let along = Vec3::ith(axis, into[axis].signum());
     let given = match (wanted.velocity, wanted.level, wanted.pressure) {
         (Some(velocity), level, _) => Given::Velocity {
             into: velocity,

@@ -124,7 +124,10 @@ pub(super) fn assemble(
             let imported = imported.as_ref();
             let (flat, cloud, sets, cells) = (&flat, &cloud, &sets, &cells);
             let heated = Heated { flat, cloud, sets, cells, imported, weights };
-            (Some(builder.conduction(heated)?), builder.heat_capacities(heated)?)
+            let in_time =
+                matches!(&scene.scene.analysis, scene::Analysis::Heat(heat) if heat.transient.is_some());
+            let stored = if in_time { builder.heat_capacities(heated)? } else { Vec::new() };
+            (Some(builder.conduction(heated)?), stored)
         }
     };
     let temperatures = builder.temperatures(&cells, &cloud, conduction.as_ref())?;

@@ -61,7 +61,7 @@ impl Builder<'_> {
             held.extend(ends.copied());
             self.refuse_moved(sets, &path, on, &held[before..])?;
             if held.len() == before {
-                let bound = format!("a set with an end of the line \"{}\"", stiffener.on);
+                let bound = format!("which has no end of the line \"{}\"", stiffener.on);
                 let repair = "name the edge or the set at which it ends, or leave it out";
                 return Err(SceneError::Set(self.scene.source.fault(
                     &path,
@@ -86,7 +86,7 @@ impl Builder<'_> {
             let members = sets.at(self.scene, &scope.path(&key), set)?;
             if held.iter().any(|a| members.contains(a)) {
                 let bound =
-                    format!("an end that stands still, not one of `{key}`, which goes where its owner goes");
+                    format!("which goes where `{key}` goes; only an end that stands still can be held");
                 let fault =
                     self.scene.source.fault(path, &format!("\"{on}\""), &bound, "leave it out of `held`");
                 return Err(SceneError::Set(fault));
@@ -97,7 +97,7 @@ impl Builder<'_> {
             let members = sets.at(self.scene, &support.at("on"), support.on)?;
             let turns = support.turned.is_some() || support.rotated.is_some();
             if turns && held.iter().any(|a| members.contains(a)) {
-                let bound = "an end that stands still, not one that a support turns";
+                let bound = "which a support turns; only an end that stands still can be held";
                 let fault =
                     self.scene.source.fault(path, &format!("\"{on}\""), bound, "leave it out of `held`");
                 return Err(SceneError::Set(fault));
@@ -105,7 +105,7 @@ impl Builder<'_> {
             still.extend(members);
         }
         if held.iter().any(|a| !still.contains(a)) {
-            let bound = "an end with a support: what holds its direction holds its place";
+            let bound = "which has no support; what holds a direction holds its place";
             let fault = self.scene.source.fault(
                 path,
                 &format!("\"{on}\""),

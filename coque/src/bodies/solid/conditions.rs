@@ -175,7 +175,7 @@ pub(super) fn loads(
         let by_area = load.traction.as_ref().is_some_and(|own| own.depth.is_none())
             || load.pressure.as_ref().is_some_and(|own| !own.follower);
         if by_area && sets.facets(load.on, nodes, &planes).is_some_and(|facets| facets.is_empty()) {
-            let bound = "a set at the surface: nothing of it lies at these nodes";
+            let bound = "but nothing of the surface lies at its nodes";
             let repair =
                 "use `surface`, x0 to z1, a group of the file, or a region that holds a part of the surface";
             let fault = sets.scene().source.fault(&load.at("on"), &format!("\"{}\"", load.on), bound, repair);
@@ -210,7 +210,7 @@ pub(super) fn following(
     for load in &scene.loads {
         let Some(pressure) = load.pressure.as_ref().filter(|pressure| pressure.follower) else { continue };
         if !sets.names(load.on) {
-            let bound = "a part of the surface that has a name: only such parts have borders that a pressure can follow";
+            let bound = "which is no part of the surface with a name; only such parts have borders that a pressure can follow";
             let repair = "use `surface`, x0 to z1, or a group of the file, or remove `follower`";
             let fault = sets.scene().source.fault(&load.at("on"), &format!("\"{}\"", load.on), bound, repair);
             return Err(SceneError::Set(fault));

@@ -304,7 +304,6 @@ fn made(
     Ok(Made::Spring { ends, curve })
 }
 
-/// The length without a force of a link whose ends are so far apart at rest \[L\].
 /// Refuses a link that pulls or pushes at rest where nothing finds what that makes of the body first, and one whose ends stand on each other while it bears.
 fn refuse_at_rest(
     scene: &Scene,
@@ -349,6 +348,7 @@ fn refuse_at_rest(
     Ok(())
 }
 
+/// The length without a force of a link whose ends are so far apart at rest \[L\].
 fn of_length(
     scene: &Scene,
     link: &LinkInScene<'_>,

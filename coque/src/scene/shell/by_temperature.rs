@@ -1,5 +1,6 @@
 //! How the numbers of a material go with the temperature, as a scene says it.
 
+use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -43,10 +44,6 @@ impl ByTemperature {
 
 /// The number of a table on its straight lines; none beyond its ends.
 fn between(table: &[[f64; 2]], at: f64) -> Option<f64> {
-    let after = table.iter().position(|[t, _]| *t >= at)?;
-    let [t1, x1] = table[after];
-    match after.checked_sub(1).map(|before| table[before]) {
-        Some([t0, x0]) => Some(x0 + (x1 - x0) * (at - t0) / (t1 - t0)),
-        None => (t1 == at).then_some(x1),
-    }
+    let (first, last) = (table.first()?, table.last()?);
+    (first[0] <= at && at <= last[0]).then(|| Amplitude::along(table, at))
 }

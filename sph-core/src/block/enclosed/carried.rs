@@ -22,8 +22,6 @@ pub struct Carried {
     pub triangles: Vec<[u32; 3]>,
     /// The triangle of the surface that each is a part of.
     pub part_of: Vec<u32>,
-    /// The node nearest to the middle of each.
-    pub nearest: Vec<u32>,
     /// Vertices at rest \[L\].
     pub vertices: Vec<Vec3>,
     /// First bearer of each vertex, and the end.
@@ -38,17 +36,7 @@ impl ClosedSurface {
     pub fn carried(&self, block: &Block, longest: f64) -> Carried {
         let (vertices, triangles, part_of) = self.divided(longest);
         let near = CellList::new(&block.positions, block.greatest_spacing());
-        let mut found = Vec::new();
-        let mut nearest = |x: &Vec3| {
-            let mut reach = 2.0 * block.greatest_spacing();
-            found.clear();
-            while found.is_empty() {
-                near.within(x, reach, &mut found);
-                reach *= 2.0;
-            }
-            let far = |node: &u32| (block.positions[*node as usize] - x).norm_squared();
-            found.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or_default()
-        };
+        let nearest = |x: &Vec3| near.nearest_particle(x).unwrap_or_default();
         let nets = nets(&block.positions, block.greatest_spacing());
         let at = |node: u32| nets.iter().find_map(|net| net.at(&block.positions[node as usize]).ok());
         let mut shapes = BTreeMap::<u32, Option<PointShape>>::new();
@@ -68,10 +56,7 @@ impl ClosedSurface {
             }
             starts.push(bearers.len() as u32);
         }
-        let middle =
-            |corners: &[u32; 3]| corners.map(|corner| vertices[corner as usize]).iter().sum::<Vec3>() / 3.0;
-        let nearest = triangles.iter().map(|corners| nearest(&middle(corners))).collect();
-        Carried { triangles, part_of, nearest, vertices, starts, bearers }
+        Carried { triangles, part_of, vertices, starts, bearers }
     }
 
     /// Vertices, triangles, and the triangle that each is a part of.
@@ -126,15 +111,23 @@ impl Carried {
         &self.bearers[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
     }
 
-    /// The triangles that `kept` says by their number.
+    /// The triangles that `kept` says by their number, with their vertices.
     pub fn only(&self, kept: impl Fn(usize) -> bool) -> Self {
-        let numbers: Vec<usize> = (0..self.triangles.len()).filter(|&number| kept(number)).collect();
-        Self {
-            triangles: numbers.iter().map(|&number| self.triangles[number]).collect(),
-            part_of: numbers.iter().map(|&number| self.part_of[number]).collect(),
-            nearest: numbers.iter().map(|&number| self.nearest[number]).collect(),
-            ..self.clone()
+        let own: Vec<usize> = (0..self.triangles.len()).filter(|&number| kept(number)).collect();
+        let mut used = vec![false; self.vertices.len()];
+        own.iter().flat_map(|&k| self.triangles[k]).for_each(|vertex| used[vertex as usize] = true);
+        let mut out = Self { starts: vec![0], ..Self::default() };
+        let mut numbers = vec![0; used.len()];
+        for vertex in (0..used.len()).filter(|&vertex| used[vertex]) {
+            numbers[vertex] = out.vertices.len() as u32;
+            out.vertices.push(self.vertices[vertex]);
+            out.bearers.extend(self.bearers(vertex));
+            out.starts.push(out.bearers.len() as u32);
         }
+        out.triangles =
+            own.iter().map(|&k| self.triangles[k].map(|vertex| numbers[vertex as usize])).collect();
+        out.part_of = own.iter().map(|&k| self.part_of[k]).collect();
+        out
     }
 
     /// Where nodes carry the vertices, from places of nodes \[L\].

@@ -114,17 +114,9 @@ impl ClosedSurface {
     fn facets(&self, fine: &Cut, (origin, spacing): (&Vec3, f64), block: &Block) -> Vec<Facet> {
         let near = CellList::new(&block.positions, block.spacing[0]);
         let normals = self.normals();
-        let mut found = Vec::new();
         let facet = |piece: &Piece| {
             let place = origin + Vec3::from(piece.centroid) * spacing;
-            let mut reach = 2.0 * block.spacing[0];
-            while found.is_empty() {
-                near.within(&place, reach, &mut found);
-                reach *= 2.0;
-            }
-            let far = |node: &u32| (block.positions[*node as usize] - place).norm_squared();
-            let node = found.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or_default();
-            found.clear();
+            let node = near.nearest_particle(&place).unwrap_or_default();
             let area = normals[piece.triangle as usize] * (piece.area * spacing * spacing);
             Facet { node, triangle: piece.triangle, area, place }
         };
@@ -198,7 +190,7 @@ impl Built<'_> {
         let (steps, near) = (steps(), CellList::new(&snapped.places, self.spacing));
         let mut volumes = vec![0.0; snapped.places.len()];
         let cubic = self.spacing.powi(3) / 8.0;
-        let (mut out, mut half_full, mut found) = (Vec::new(), 0, Vec::new());
+        let (mut out, mut half_full) = (Vec::new(), 0);
         let (mut away, mut most) = (0.0, None);
         for cell in self.taken() {
             let inside = self.cut.inside[cell];
@@ -219,10 +211,7 @@ impl Built<'_> {
                 }
             }
             let place = self.centroid(cell);
-            near.within(&place, 6.0 * self.spacing, &mut found);
-            let far = |node: &u32| (snapped.places[*node as usize] - place).norm_squared();
-            let nearest = found.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b)));
-            out.push([nearest.unwrap_or_default(); 8]);
+            out.push([near.nearest_particle(&place).unwrap_or_default(); 8]);
         }
         match out.is_empty() {
             true => Err(Misfit::Thin(self.laid.counts.map(|count| 0.5 * count as f64))),

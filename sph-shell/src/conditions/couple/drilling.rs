@@ -37,7 +37,7 @@ const ACROSS: f64 = 1e-6;
 /// present state. It has no potential beyond small turns about one axis.
 #[derive(Clone, Debug)]
 pub struct DrillingCouple {
-    /// Particles and their shares; the shares are normalised to one.
+    /// Particles and their parts of the whole, to any scale.
     shares: Vec<(u32, f64)>,
     /// Its axis (unit vector), and the whole couple \[F L\].
     axis: Vec3,

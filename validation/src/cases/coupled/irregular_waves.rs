@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use fluid_sph::{Component, Spectrum, Waves};
 
+use super::measure::line;
 use crate::judge::{Case, Headline, Run, Variant};
 use crate::support::fluids::KICKS;
 use crate::{JudgeError, Metric};
@@ -101,15 +102,6 @@ fn figures(time: &[f64], course: &[f64]) -> [f64; 3] {
         moments = [moments[0] + own, moments[1] + own * frequency * frequency];
     }
     [deviation, peak[0], (moments[0] / moments[1]).sqrt()]
-}
-
-/// The value at zero and the slope of a straight line.
-fn line(points: &[[f64; 2]]) -> [f64; 2] {
-    let mean = |k: usize| points.iter().map(|point| point[k]).sum::<f64>() / points.len() as f64;
-    let (x, y) = (mean(0), mean(1));
-    let moment = |k: usize| points.iter().map(|point| (point[0] - x) * (point[k] - [x, y][k])).sum::<f64>();
-    let slope = moment(1) / moment(0);
-    [y - slope * x, slope]
 }
 
 fn judged(run: &Run) -> Result<Vec<Metric>, JudgeError> {

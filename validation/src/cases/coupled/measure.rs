@@ -85,3 +85,12 @@ mod tests {
         assert_eq!(value_at(&times, &values, 3.5), None);
     }
 }
+
+/// The value at zero and the slope of a straight line through points, by least squares.
+pub fn line(points: &[[f64; 2]]) -> [f64; 2] {
+    let mean = |k: usize| points.iter().map(|point| point[k]).sum::<f64>() / points.len() as f64;
+    let (x, y) = (mean(0), mean(1));
+    let moment = |k: usize| points.iter().map(|point| (point[0] - x) * (point[k] - [x, y][k])).sum::<f64>();
+    let slope = moment(1) / moment(0);
+    [y - slope * x, slope]
+}

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::measure::line;
 use crate::judge::{Case, Headline, Run, Variant};
 use crate::support::fluids::KICKS;
 use crate::support::misses::{Miss, between};
@@ -127,11 +128,8 @@ fn course(run: &Run) -> Result<Option<[f64; 2]>, JudgeError> {
         })
         .collect();
     Ok(heights.map(|heights| {
-        let mean = |k: usize| heights.iter().map(|pair| pair[k]).sum::<f64>() / heights.len() as f64;
-        let (x, y) = (mean(0), mean(1));
-        let moment = |k: usize| heights.iter().map(|pair| (pair[0] - x) * (pair[k] - [x, y][k])).sum::<f64>();
-        let slope = moment(1) / moment(0);
-        [libm::exp(y - slope * x), -slope]
+        let [start, slope] = line(&heights);
+        [libm::exp(start), -slope]
     }))
 }
 

@@ -130,7 +130,7 @@ fn check_full_load(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>) -> Verdict {
                     "levels up to one where numbers go with the temperature: they are those of the full load";
                 let repair = "multiply the load itself, or add `preload = true` to the temperature";
                 return refuse(
-                    &format!("analysis.{}.levels", scene.analysis.kind().name),
+                    &format!("analysis.{}.levels", scene.analysis.kind().word),
                     "a level beyond one",
                     bound,
                     repair,
