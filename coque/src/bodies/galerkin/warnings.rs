@@ -3,9 +3,9 @@
 use sph_core::{Block, Vec3};
 use sr_galerkin::Galerkin as GalerkinBody;
 
-use crate::scene::body_in_scene::BodyInScene;
+use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::sets::OF_SOLIDS;
-use crate::scene::{Analysis, Galerkin, GalerkinBasis, GalerkinEssential, Support};
+use crate::scene::{Analysis, Galerkin, GalerkinBasis, GalerkinEssential, Measured, Probe, Support};
 use crate::warning::{Warning, WarningKind};
 
 /// What is doubtful before anything is solved.
@@ -43,14 +43,20 @@ pub(super) fn cut_cells(scene: &BodyInScene<'_>, body: &GalerkinBody) -> Option<
         })
     } else {
         let uneven = body.uneven();
-        (uneven > UNEVEN).then(|| {
+        (uneven > UNEVEN && reads_stresses(scene)).then(|| {
             format!(
-                "cut cells leave {uneven:.2} of a uniform stress on a node at the surface (more than {UNEVEN}): stresses there may be off by as much, up to \
-                 twice, displacements far less; use gauss = 4 or a spacing that divides the body, or read stresses a spacing inside"
+                "cut cells leave {uneven:.2} of a uniform stress on a node at the surface (more than {UNEVEN}): the stress there may be off by as much, up to \
+                 twice, displacements are not; use a narrower spacing, one that divides the body, or read stresses a spacing inside"
             )
         })
     };
     message.map(|message| Warning::new(WarningKind::UnevenCells, message))
+}
+
+/// Whether stresses at nodes leave the run.
+fn reads_stresses(scene: &BodyInScene<'_>) -> bool {
+    let column = |probe: &OnSet<'_, Probe>| matches!(probe.of, Measured::VonMises | Measured::Stress);
+    scene.output.fields.is_some_and(|fields| fields.stresses || fields.principal) || scene.curve.iter().any(column)
 }
 
 /// Length over thickness from which a face at its end is to turn.

@@ -71,6 +71,15 @@ pub fn value_at(times: &[f64], values: &[f64], at: f64) -> Option<f64> {
     Some(v0 + (v1 - v0) * (at - t0) / (t1 - t0))
 }
 
+/// The value at zero and the slope of a straight line through points, by least squares.
+pub fn line(points: &[[f64; 2]]) -> [f64; 2] {
+    let mean = |k: usize| points.iter().map(|point| point[k]).sum::<f64>() / points.len() as f64;
+    let (x, y) = (mean(0), mean(1));
+    let moment = |k: usize| points.iter().map(|point| (point[0] - x) * (point[k] - [x, y][k])).sum::<f64>();
+    let slope = moment(1) / moment(0);
+    [y - slope * x, slope]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -84,13 +93,4 @@ mod tests {
         assert_eq!(value_at(&times, &values, 2.5), Some(2.5));
         assert_eq!(value_at(&times, &values, 3.5), None);
     }
-}
-
-/// The value at zero and the slope of a straight line through points, by least squares.
-pub fn line(points: &[[f64; 2]]) -> [f64; 2] {
-    let mean = |k: usize| points.iter().map(|point| point[k]).sum::<f64>() / points.len() as f64;
-    let (x, y) = (mean(0), mean(1));
-    let moment = |k: usize| points.iter().map(|point| (point[0] - x) * (point[k] - [x, y][k])).sum::<f64>();
-    let slope = moment(1) / moment(0);
-    [y - slope * x, slope]
 }
