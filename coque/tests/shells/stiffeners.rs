@@ -206,7 +206,7 @@ fn a_flat_bar_bends_in_the_surface() {
         found.map_or_else(|error| error.to_string(), |()| String::new())
     };
     let aside = said(", in_surface = { held = [\"v0\"] }");
-    assert!(aside.contains("with an end of the line"), "{aside}");
+    assert!(aside.contains("has no end of the line"), "{aside}");
     let nowhere = said(", in_surface = { held = [\"rub\"] }");
     assert!(nowhere.contains("rub"), "{nowhere}");
     let profile = text(", in_surface = {}").replace(

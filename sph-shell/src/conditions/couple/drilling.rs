@@ -33,8 +33,9 @@ const ACROSS: f64 = 1e-6;
 
 /// A couple about an axis fixed in space on a set of particles, the part along their normals included.
 ///
-/// Where the set is a line, that part turns the line in the surface, else the surface around each particle: as directors come to lie along the axis in the
-/// present state. It has no potential beyond small turns about one axis.
+/// Where the set is a line, that part turns the line in the surface, else the surface around each particle. A couple across all normals at rest is borne by
+/// directors alone, as an [`super::EdgeCouple`], however they turn: a strip that is rolled up by it leans out of its plane by rounding, and forces that follow
+/// the lean would drive it on. It has no potential beyond small turns about one axis.
 #[derive(Clone, Debug)]
 pub struct DrillingCouple {
     /// Particles and their parts of the whole, to any scale.
@@ -85,7 +86,7 @@ impl DrillingCouple {
     /// How the surface turns at a particle, where that is to bear a part of the couple in a state.
     fn turning<'a>(&self, particle: u32, spin: Option<&'a Spin>, state: &[[f64; 6]]) -> Option<&'a Spin> {
         let director = Vec3::from_row_slice(&state[particle as usize][3..]);
-        spin.filter(|_| self.axis.dot(&director).abs() > ACROSS)
+        spin.filter(|_| self.along > ACROSS && self.axis.dot(&director).abs() > ACROSS)
     }
 
     fn at(&self, particle: u32, size: f64, spin: &Spin, state: &[[f64; 6]]) -> Turned {
