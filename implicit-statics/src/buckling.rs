@@ -326,15 +326,19 @@ impl Pencil<'_> {
 }
 
 impl Operator for Pencil<'_> {
-    fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError> {
-        if self.shift == 0.0 {
-            product(self.pattern, self.geometric, v, out);
-            let sign = self.sign;
-            out.iter_mut().for_each(|g| *g *= -sign);
-        } else {
-            self.weigh(v, out)?;
+    fn apply(&mut self, vectors: &mut [Vec<f64>]) -> Result<(), EquilibriumError> {
+        for v in vectors.iter_mut() {
+            let mut out = vec![0.0; v.len()];
+            if self.shift == 0.0 {
+                product(self.pattern, self.geometric, v, &mut out);
+                let sign = self.sign;
+                out.iter_mut().for_each(|g| *g *= -sign);
+            } else {
+                self.weigh(v, &mut out)?;
+            }
+            *v = out;
         }
-        self.solver.solve(out)
+        self.solver.solve_some(vectors)
     }
 
     fn weigh(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError> {

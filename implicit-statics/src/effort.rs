@@ -28,7 +28,7 @@ impl Effort {
     }
 }
 
-/// Asked before every factorisation and every solve; `Break` ends the search with [`EquilibriumError::Stopped`].
+/// Asked before every factorisation and before solves, of which up to four are one; `Break` ends the search with [`EquilibriumError::Stopped`].
 pub type Watch<'a> = dyn FnMut(&Effort) -> ControlFlow<()> + 'a;
 
 /// A [`Watch`] that never ends anything.
@@ -94,6 +94,32 @@ impl<'a> CountingSolver<'a> {
         self.ask()?;
         self.effort.solves += 1;
         self.solver.solve(right)
+    }
+
+    /// The same for some right sides, as many at a time as read the factor once.
+    pub fn solve_some(&mut self, rights: &mut [Vec<f64>]) -> Result<(), EquilibriumError> {
+        let mut left = rights;
+        while let [first, rest @ ..] = left {
+            self.ask()?;
+            left = match rest {
+                [b, c, d, rest @ ..] => {
+                    self.effort.solves += 4;
+                    self.solver.solve_all([first, b, c, d])?;
+                    rest
+                }
+                [b, rest @ ..] => {
+                    self.effort.solves += 2;
+                    self.solver.solve_all([first, b])?;
+                    rest
+                }
+                [] => {
+                    self.effort.solves += 1;
+                    self.solver.solve(first)?;
+                    &mut []
+                }
+            };
+        }
+        Ok(())
     }
 
     /// As [`SymmetricSolver::scale`].

@@ -25,8 +25,8 @@ const DEPENDENT: f64 = 1e-10;
 
 /// An operator symmetric in the inner product `aᵀ G b`, `G` positive (semi-)definite.
 pub(crate) trait Operator {
-    /// `out = A v`.
-    fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError>;
+    /// `v ← A v` for some vectors at once, each as if alone.
+    fn apply(&mut self, vectors: &mut [Vec<f64>]) -> Result<(), EquilibriumError>;
     /// `out = G v`.
     fn weigh(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError>;
 }
@@ -90,8 +90,9 @@ impl Krylov {
     }
 
     fn add_image(&mut self, operator: &mut dyn Operator, vector: &[f64]) -> Result<bool, EquilibriumError> {
-        let mut image = vec![0.0; self.unknowns];
-        operator.apply(vector, &mut image)?;
+        let mut images = [vector.to_vec()];
+        operator.apply(&mut images)?;
+        let [image] = images;
         Ok(self.orthogonalise(operator, image)?.1)
     }
 
@@ -134,10 +135,12 @@ impl Krylov {
                     break;
                 }
             }
-            let mut image = vec![0.0; self.unknowns];
-            operator.apply(&self.basis[next], &mut image)?;
-            let (column, _) = self.orthogonalise(operator, image)?;
-            self.columns.push(column);
+            let mut images = self.basis[next..self.basis.len().min(to)].to_vec();
+            operator.apply(&mut images)?;
+            for image in images {
+                let (column, _) = self.orthogonalise(operator, image)?;
+                self.columns.push(column);
+            }
         }
         Ok(())
     }

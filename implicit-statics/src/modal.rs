@@ -186,12 +186,12 @@ impl Vibration<'_, '_> {
     }
 
     /// Solves with the last factor; the medium feels nothing but the unknowns.
-    fn solve(&mut self, right: &mut [f64]) -> Result<(), EquilibriumError> {
-        let Some(added) = &self.masses.added else { return self.solver.solve(right) };
-        let mut all = right.to_vec();
-        all.resize(right.len() + added.nodes(), 0.0);
-        self.solver.solve(&mut all)?;
-        right.copy_from_slice(&all[..right.len()]);
+    fn solve(&mut self, rights: &mut [Vec<f64>]) -> Result<(), EquilibriumError> {
+        let unknowns = self.masses.own.len();
+        let all = unknowns + self.masses.added.as_ref().map_or(0, |added| added.nodes());
+        rights.iter_mut().for_each(|right| right.resize(all, 0.0));
+        self.solver.solve_some(rights)?;
+        rights.iter_mut().for_each(|right| right.truncate(unknowns));
         Ok(())
     }
 
@@ -236,7 +236,9 @@ impl Vibration<'_, '_> {
             added.add_product(&shape, &mut weighed)?;
             left.iter_mut().zip(&weighed).for_each(|(left, weight)| *left -= eigenvalue * weight);
         }
+        let mut left = [left];
         self.solve(&mut left)?;
+        let [left] = left;
         self.weigh(&left, &mut weighed)?;
         let error = (eigenvalue - tau).abs() * dot(&left, &weighed).max(0.0).sqrt();
         Ok(Mode { eigenvalue, residual: error * pair.value.abs(), shape })
@@ -244,9 +246,13 @@ impl Vibration<'_, '_> {
 }
 
 impl Operator for Vibration<'_, '_> {
-    fn apply(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError> {
-        self.weigh(v, out)?;
-        self.solve(out)
+    fn apply(&mut self, vectors: &mut [Vec<f64>]) -> Result<(), EquilibriumError> {
+        for v in vectors.iter_mut() {
+            let mut out = vec![0.0; v.len()];
+            self.weigh(v, &mut out)?;
+            *v = out;
+        }
+        self.solve(vectors)
     }
 
     fn weigh(&mut self, v: &[f64], out: &mut [f64]) -> Result<(), EquilibriumError> {

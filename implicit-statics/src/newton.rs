@@ -218,6 +218,23 @@ impl Newton {
         Ok(response)
     }
 
+    /// The same together with the solution for a right side, which takes its place: the factor is read once.
+    fn answer_with<E: Equilibrium + ?Sized>(
+        &mut self,
+        system: &mut E,
+        level: f64,
+        right: &mut [f64],
+    ) -> Result<Vec<f64>, EquilibriumError> {
+        system.load_rate(level, &mut self.rate);
+        let mut response = self.rate.clone();
+        self.solver
+            .solve_all([right, &mut response])
+            .map_err(|error| error.named(system, self.step, level))?;
+        self.effort.solves += 2;
+        self.answer = Some(response.clone());
+        Ok(response)
+    }
+
     /// Tells what forces and motions to expect before any are known: those of the linear first step.
     pub(crate) fn expect(&mut self, change: f64, response: &[f64]) {
         self.force_scale = (change * norm(&self.rate)).abs();

@@ -1,7 +1,7 @@
 //! Orders of elimination from the places of the unknowns: a sweep along the body, and nested dissection \[george1973\].
 
 /// Unknowns of a part that is not divided any more.
-const LEAF: usize = 200;
+const LEAF: usize = 30;
 
 /// Unknowns by their places along the longest extent: what is best for slender bodies, whose factor is then a narrow band.
 pub(crate) fn sweep(places: &[[f64; 3]]) -> Vec<usize> {

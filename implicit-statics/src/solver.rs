@@ -1,9 +1,7 @@
-//! The sparse symmetric solver: symbolic.rs and dense.rs beside it are the only other files that see faer.
+//! The sparse symmetric solver: symbolic.rs, dense.rs and the factor beside it are the only other files that see faer.
 
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::sparse::linalg::cholesky::SymbolicCholesky;
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
-use faer::{Par, Side};
 
 use crate::EquilibriumError;
 use crate::factor::Factor;
@@ -48,7 +46,6 @@ pub struct SymmetricSolver {
     peak: f64,
     symbolic: SymbolicCholesky<usize>,
     factor: Factor,
-    memory: MemBuffer,
     inertia: Inertia,
     /// What the matrix has beside its pattern.
     terms: Terms,
@@ -70,18 +67,13 @@ impl SymmetricSolver {
         let (pointers, rows, slots) = columns(unknowns, pattern)?;
         let matrix = SymbolicSparseColMat::new_checked(unknowns, unknowns, pointers, None, rows);
         let symbolic = analyse(&matrix, places);
-        let scratch = StackReq::any_of(&[
-            symbolic.factorize_numeric_intranode_lblt_scratch::<f64>(Par::Seq, Default::default()),
-            symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default()),
-        ]);
         Ok(Self {
             unknowns,
             values: vec![0.0; matrix.compute_nnz()],
             first: vec![0.0; unknowns],
             scale: vec![1.0; unknowns],
             peak: 1.0,
-            factor: Factor::new(&symbolic),
-            memory: MemBuffer::new(scratch),
+            factor: Factor::new(&symbolic, matrix.as_ref()),
             inertia: Inertia::default(),
             terms: Terms::default(),
             matrix,
@@ -92,7 +84,7 @@ impl SymmetricSolver {
 
     /// Entries of the factor, a measure of its cost.
     pub fn factor_entries(&self) -> usize {
-        self.factor.values.len()
+        self.factor.entries()
     }
 
     /// Multiplications of one factorisation, its cost.
@@ -123,8 +115,8 @@ impl SymmetricSolver {
         };
         self.terms = Terms::scaled(terms, &self.scale);
         if self.inertia.zero == 0 && !self.terms.is_empty() {
-            let Self { factor, symbolic, terms, .. } = self;
-            self.inertia = terms.complete(self.inertia, |right| factor.substitute(symbolic, right));
+            let Self { factor, terms, .. } = self;
+            self.inertia = terms.complete(self.inertia, |right| factor.substitute([right]));
         }
         Ok(self.inertia)
     }
@@ -157,31 +149,66 @@ impl SymmetricSolver {
     /// Solves `K x = b` in place, with one step of refinement where more than rounding is left, and the guard
     /// ‖Kx − b‖ ≤ 1e-8 ‖b‖, or 256 roundings of |K||x| where the condition of K makes that the larger.
     pub fn solve(&mut self, right: &mut [f64]) -> Result<(), EquilibriumError> {
+        self.solve_all([right])
+    }
+
+    /// The same for several right sides, which read the factor once: for each the same bits as alone.
+    pub fn solve_all<const R: usize>(&mut self, mut rights: [&mut [f64]; R]) -> Result<(), EquilibriumError> {
         if self.inertia.zero > 0 {
             return Err(self.singular());
         }
-        right.iter_mut().zip(&self.scale).for_each(|(f, s)| *f *= s);
-        let scaled = right.to_vec();
-        self.backsolve(right);
-        let mut residual = scaled.clone();
-        self.subtract_product(right, &mut residual);
-        let mut left = self.force_norm(&residual);
-        let rounding = self.rounding_of(right);
-        if left > SETTLED * rounding {
-            let mut refined = residual.clone();
-            self.backsolve(&mut refined);
-            refined.iter_mut().zip(&*right).for_each(|(more, x)| *more += x);
-            residual.copy_from_slice(&scaled);
-            self.subtract_product(&refined, &mut residual);
-            let after = self.force_norm(&residual);
-            if after <= left {
-                right.copy_from_slice(&refined);
-                left = after;
+        for right in &mut rights {
+            right.iter_mut().zip(&self.scale).for_each(|(f, s)| *f *= s);
+        }
+        let scaled: [Vec<f64>; R] = std::array::from_fn(|r| rights[r].to_vec());
+        self.backsolve(rights.each_mut().map(|right| &mut **right));
+        for (right, scaled) in rights.into_iter().zip(&scaled) {
+            let (residual, rounding) = self.residual(scaled, right);
+            let mut left = self.force_norm(&residual);
+            if left > SETTLED * rounding {
+                let mut refined = residual;
+                self.backsolve([&mut refined]);
+                refined.iter_mut().zip(&*right).for_each(|(more, x)| *more += x);
+                let after = self.force_norm(&self.residual(scaled, &refined).0);
+                if after <= left {
+                    right.copy_from_slice(&refined);
+                    left = after;
+                }
+            }
+            let bound = (GUARD * self.force_norm(scaled)).max(GUARD_ROUNDINGS * rounding);
+            right.iter_mut().zip(&self.scale).for_each(|(x, s)| *x *= s);
+            if left.is_nan() || left > bound {
+                return Err(EquilibriumError::Solve { residual: left, bound });
             }
         }
-        let bound = (GUARD * self.force_norm(&scaled)).max(GUARD_ROUNDINGS * rounding);
-        right.iter_mut().zip(&self.scale).for_each(|(x, s)| *x *= s);
-        if left <= bound { Ok(()) } else { Err(EquilibriumError::Solve { residual: left, bound }) }
+        Ok(())
+    }
+
+    /// `b − K̂ x` with the scaled matrix, and the rounding of its sums, ε ‖ |K̂| |x| ‖: the matrix is read once.
+    fn residual(&self, right: &[f64], x: &[f64]) -> (Vec<f64>, f64) {
+        let (mut left, mut sizes) = (right.to_vec(), vec![0.0; self.unknowns]);
+        let symbolic = self.matrix.as_ref();
+        for (j, &xj) in x.iter().enumerate() {
+            // The diagonal opens its column.
+            let mut column = symbolic.col_range(j);
+            let own = column.next().map_or(0.0, |k| self.values[k] * xj);
+            let (mut sum, mut size) = (own, own.abs());
+            for (&i, value) in symbolic.row_idx()[column.clone()].iter().zip(&self.values[column]) {
+                let (there, here) = (value * xj, value * x[i]);
+                left[i] -= there;
+                sizes[i] += there.abs();
+                sum += here;
+                size += here.abs();
+            }
+            left[j] -= sum;
+            sizes[j] += size;
+        }
+        for term in self.terms.iter() {
+            term.add_product(-1.0, x, &mut left);
+            term.add_magnitudes(x, &mut sizes);
+        }
+        let rounding = f64::EPSILON * self.force_norm(&sizes);
+        (left, rounding)
     }
 
     /// `out = K x` with the values of the last factor.
@@ -224,7 +251,7 @@ impl SymmetricSolver {
     pub fn weakest_direction(&mut self) -> Vec<f64> {
         let mut direction = unstructured(self.unknowns, 0);
         for _ in 0..NULL_ITERATIONS {
-            self.backsolve(&mut direction);
+            self.backsolve([&mut direction]);
             let norm = norm(&direction);
             direction.iter_mut().for_each(|d| *d /= norm);
         }
@@ -242,7 +269,7 @@ impl SymmetricSolver {
     /// Counts eigenvalues below −δ and below +δ by two shifted factors; keeps a factor that can be solved with.
     fn singular_inertia(&mut self) -> Inertia {
         let shifted = |solver: &mut Self, shift: f64| {
-            solver.factorise(shift).unwrap_or_else(|| solver.factor.count_pivots(&solver.symbolic).0).negative
+            solver.factorise(shift).unwrap_or_else(|| solver.factor.count_pivots().0).negative
         };
         let below_plus = shifted(self, -ZERO_EIGENVALUE * self.peak);
         let negative = shifted(self, ZERO_EIGENVALUE * self.peak);
@@ -293,45 +320,22 @@ impl SymmetricSolver {
             shifted = copy;
             &shifted
         };
-        let matrix = SparseColMatRef::new(self.matrix.as_ref(), &values[..]);
         let trusted = SMALL_PIVOT * self.peak;
-        let plain = self.symbolic.factorize_numeric_ldlt(
-            &mut self.factor.values,
-            matrix,
-            Side::Lower,
-            Default::default(),
-            Par::Seq,
-            MemStack::new(&mut self.memory),
-            Default::default(),
-        );
-        if plain.is_ok() {
-            self.factor.unpivoted();
-            let (inertia, smallest) = self.factor.count_pivots(&self.symbolic);
-            let definite = inertia.negative == 0;
-            if smallest > trusted && (definite || self.factor.growth(&self.symbolic) < GROWTH * self.peak) {
-                return Some(inertia);
-            }
+        self.factor.eliminate(values);
+        let (inertia, smallest) = self.factor.count_pivots();
+        let definite = inertia.negative == 0;
+        if smallest > trusted && (definite || self.factor.growth() < GROWTH * self.peak) {
+            return Some(inertia);
         }
-        // faer writes the subdiagonal of 2×2 pivots only: those of the last factor would stay.
-        self.factor.subdiagonal.fill(0.0);
-        self.symbolic.factorize_numeric_intranode_lblt(
-            &mut self.factor.values,
-            &mut self.factor.subdiagonal,
-            &mut self.factor.forward,
-            &mut self.factor.inverse,
-            matrix,
-            Side::Lower,
-            Par::Seq,
-            MemStack::new(&mut self.memory),
-            Default::default(),
-        );
-        let (inertia, smallest) = self.factor.count_pivots(&self.symbolic);
+        let matrix = SparseColMatRef::new(self.matrix.as_ref(), &values[..]);
+        self.factor.eliminate_pivoted(&self.symbolic, matrix);
+        let (inertia, smallest) = self.factor.count_pivots();
         (smallest > trusted).then_some(inertia)
     }
 
-    fn backsolve(&mut self, right: &mut [f64]) {
-        self.factor.substitute(&self.symbolic, right);
-        self.terms.correct(right);
+    fn backsolve<const R: usize>(&self, mut rights: [&mut [f64]; R]) {
+        self.factor.substitute(rights.each_mut().map(|right| &mut **right));
+        rights.into_iter().for_each(|right| self.terms.correct(right));
     }
 
     /// `out −= K̂ x` with the scaled matrix.

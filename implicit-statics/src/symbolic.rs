@@ -1,15 +1,18 @@
 //! The symbolic factor of a pattern: its order of elimination and its supernodes.
 
 use faer::Side;
+use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::perm::Perm;
 use faer::sparse::SymbolicSparseColMat;
-use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::{SupernodalThreshold, amd};
+use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 
-use crate::factor::supernodes;
+use crate::factor;
 use crate::ordering::{dissection, front_multiplications, sweep};
+use crate::postorder::postordered;
 
 /// Unknowns up to which every order is tried: beyond, dissection is as good as minimum degree and found in less time, and a sweep
 /// is analysed only where its front is narrow.
@@ -22,28 +25,21 @@ pub(crate) fn analyse(
     places: Option<&[[f64; 3]]>,
 ) -> SymbolicCholesky<usize> {
     let Some(places) = places else {
-        return in_order(matrix, SymmetricOrdering::Amd);
-    };
-    let placed = |order: Vec<usize>| {
-        let mut inverse = vec![0; order.len()];
-        order.iter().enumerate().for_each(|(new, &old)| inverse[old] = new);
-        let count = order.len();
-        let order = Perm::new_checked(order.into(), inverse.into(), count);
-        in_order(matrix, SymmetricOrdering::Custom(order.as_ref()))
+        return in_order(matrix, &minimum_degree(matrix));
     };
     let better = |one: SymbolicCholesky<usize>, other: SymbolicCholesky<usize>| {
         if multiplications(&other) < multiplications(&one) { other } else { one }
     };
-    let mut best = placed(dissection(places, matrix.col_ptr(), matrix.row_idx()));
+    let mut best = in_order(matrix, &dissection(places, matrix.col_ptr(), matrix.row_idx()));
     // A wide body swept has a wide front, and to find the supernodes of that costs a fifth of a linear answer.
     let few = places.len() <= MANY;
     let along = sweep(places);
     let front = || front_multiplications(&along, matrix.col_ptr(), matrix.row_idx());
     if few || front() < multiplications(&best) {
-        best = better(best, placed(along));
+        best = better(best, in_order(matrix, &along));
     }
     if few {
-        best = better(best, in_order(matrix, SymmetricOrdering::Amd));
+        best = better(best, in_order(matrix, &minimum_degree(matrix)));
     }
     best
 }
@@ -52,21 +48,46 @@ pub(crate) fn analyse(
 pub(crate) fn multiplications(symbolic: &SymbolicCholesky<usize>) -> f64 {
     let supernodes = supernodes(symbolic);
     let of = |s: usize| {
-        let width = (supernodes.supernode_end()[s] - supernodes.supernode_begin()[s]) as f64;
-        let below = supernodes.supernode(s).pattern().len() as f64;
-        width * (width * width / 6.0 + 0.5 * width * below + 0.5 * below * below)
+        let width = supernodes.supernode_end()[s] - supernodes.supernode_begin()[s];
+        factor::multiplications(width, supernodes.supernode(s).pattern().len())
     };
     (0..supernodes.n_supernodes()).map(of).sum()
 }
 
-fn in_order(
-    matrix: &SymbolicSparseColMat<usize>,
-    order: SymmetricOrdering<'_, usize>,
-) -> SymbolicCholesky<usize> {
+/// The supernodes of an analysis that was asked for them.
+pub(crate) fn supernodes(symbolic: &SymbolicCholesky<usize>) -> &SymbolicSupernodalCholesky<usize> {
+    match symbolic.raw() {
+        SymbolicCholeskyRaw::Supernodal(supernodes) => supernodes,
+        SymbolicCholeskyRaw::Simplicial(_) => unreachable!("the supernodal factor was asked for"),
+    }
+}
+
+fn minimum_degree(matrix: &SymbolicSparseColMat<usize>) -> Vec<usize> {
+    let count = matrix.nrows();
+    let (mut order, mut inverse) = (vec![0; count], vec![0; count]);
+    let mut scratch = MemBuffer::new(amd::order_maybe_unsorted_scratch::<usize>(count, matrix.compute_nnz()));
+    let stack = MemStack::new(&mut scratch);
+    amd::order_maybe_unsorted(&mut order, &mut inverse, matrix.as_ref(), amd::Control::default(), stack)
+        .expect("memory for the order");
+    order
+}
+
+/// The analysis in an order, or in one that fills as much ([`postordered`]).
+fn in_order(matrix: &SymbolicSparseColMat<usize>, order: &[usize]) -> SymbolicCholesky<usize> {
+    let order = postordered(order, matrix.col_ptr(), matrix.row_idx());
+    let count = order.len();
+    let mut inverse = vec![0; count];
+    order.iter().enumerate().for_each(|(new, &old)| inverse[old] = new);
+    let order = Perm::new_checked(order.into(), inverse.into(), count);
     // FORCE_SUPERNODAL is a ratio of 0, which a diagonal matrix (no multiplications) does not exceed.
     let threshold = SupernodalThreshold(SupernodalThreshold::FORCE_SUPERNODAL.0 - 1.0);
     let parameters =
         CholeskySymbolicParams { supernodal_flop_ratio_threshold: threshold, ..Default::default() };
-    factorize_symbolic_cholesky(matrix.as_ref(), Side::Lower, order, parameters)
-        .expect("memory for the symbolic factor")
+    factorize_symbolic_cholesky(
+        matrix.as_ref(),
+        Side::Lower,
+        SymmetricOrdering::Custom(order.as_ref()),
+        parameters,
+    )
+    .expect("memory for the symbolic factor")
 }

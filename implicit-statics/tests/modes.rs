@@ -355,10 +355,12 @@ fn a_search_is_ended_from_outside() {
             if effort.solves < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         };
         let options = BucklingOptions::new(3);
-        let ended = implicit_statics::linear_buckling(&mut dense(500), 0.0, &options, &mut watch);
-        assert_eq!(ended, Err(EquilibriumError::Stopped { solves: most }));
-        let ended = implicit_statics::natural_modes(&mut dense(500), 0.0, 3, 0.0, &mut watch);
-        assert_eq!(ended, Err(EquilibriumError::Stopped { solves: most }));
+        let ended = implicit_statics::linear_buckling(&mut dense(500), 0.0, &options, &mut watch).map(|_| ());
+        let others = implicit_statics::natural_modes(&mut dense(500), 0.0, 3, 0.0, &mut watch).map(|_| ());
+        for ended in [ended, others] {
+            let Err(EquilibriumError::Stopped { solves }) = ended else { panic!("{ended:?}") };
+            assert!((most..most + 4).contains(&solves), "{solves} solves, four of which are one, for {most}");
+        }
     }
 }
 

@@ -104,6 +104,40 @@ pub fn reduced<L: Lists, R: Send + Clone + Default>(
     });
 }
 
+/// Whether the caller runs in a pool of several threads.
+fn among_several() -> bool {
+    rayon::current_thread_index().is_some() && rayon::current_num_threads() > 1
+}
+
+/// Does two pieces of work: at once where the caller runs in a pool of several threads, else one after the other.
+pub fn both(one: impl FnOnce() + Send, other: impl FnOnce() + Send) {
+    if among_several() {
+        rayon::join(one, other);
+    } else {
+        one();
+        other();
+    }
+}
+
+/// Calls `work(k, piece)` for the pieces of a list of a size, the last what is left: shared among the threads of the pool that the
+/// caller runs in, if that is asked for.
+pub fn pieces<T: Send>(shared: bool, size: usize, list: &mut [T], work: &(impl Fn(usize, &mut [T]) + Sync)) {
+    if shared && among_several() {
+        halves(0, size, list, work);
+    } else {
+        list.chunks_mut(size).enumerate().for_each(|(k, piece)| work(k, piece));
+    }
+}
+
+fn halves<T: Send>(first: usize, size: usize, list: &mut [T], work: &(impl Fn(usize, &mut [T]) + Sync)) {
+    let count = list.len().div_ceil(size);
+    if count <= 1 {
+        return work(first, list);
+    }
+    let (before, after) = list.split_at_mut(count / 2 * size);
+    rayon::join(|| halves(first, size, before, work), || halves(first + count / 2, size, after, work));
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -25,15 +25,18 @@ impl Newton {
         constraint: &Constraint,
     ) -> Result<Increment, EquilibriumError> {
         let mut motion = self.residual.clone();
-        self.solver.solve(&mut motion).map_err(|error| error.named(system, self.step, level))?;
-        self.effort.solves += 1;
-        if let Constraint::Level = constraint {
-            return Ok(Increment { motion, level: 0.0 });
-        }
-        let response = match (self.factored, &self.answer) {
-            (None, Some(answer)) => answer.clone(),
-            (None, None) => self.answer_by_factor(system, level)?,
-            (Some(_), _) => self.response(system, level)?,
+        let of_here = self.factored.is_none_or(|at| at == level);
+        let both = of_here && self.answer.is_none() && !matches!(constraint, Constraint::Level);
+        let response = if both {
+            self.answer_with(system, level, &mut motion)?
+        } else {
+            self.solver.solve(&mut motion).map_err(|error| error.named(system, self.step, level))?;
+            self.effort.solves += 1;
+            match (constraint, &self.answer) {
+                (Constraint::Level, _) => return Ok(Increment { motion, level: 0.0 }),
+                (_, Some(answer)) if of_here => answer.clone(),
+                _ => self.response(system, level)?,
+            }
         };
         let (missing, rate) = match constraint {
             Constraint::Level => unreachable!("returned above"),
