@@ -36,7 +36,9 @@ fn parents(order: &[usize], pointers: &[usize], rows: &[usize]) -> Vec<usize> {
     let pairs = || {
         (0..count).flat_map(|column| {
             let (place, at) = (&place, place[column]);
-            rows[pointers[column]..pointers[column + 1]].iter().map(move |&row| (place[row].max(at), place[row].min(at)))
+            rows[pointers[column]..pointers[column + 1]]
+                .iter()
+                .map(move |&row| (place[row].max(at), place[row].min(at)))
         })
     };
     // Columns before each that it couples with, in a row.

@@ -93,10 +93,18 @@ fn factor_columns(own: &mut [f64], width: usize, scratch: &mut [f64]) {
         if begin > 0 {
             let (before, now) = own.split_at_mut(begin * height);
             let weighted = weighted_rows(before, height, begin..end, scratch);
-            let now = MatMut::from_column_major_slice_mut(&mut now[..(end - begin) * height], height, end - begin);
+            let now =
+                MatMut::from_column_major_slice_mut(&mut now[..(end - begin) * height], height, end - begin);
             let before = MatRef::from_column_major_slice(before, height, begin);
             let rows = height - begin;
-            matmul(now.subrows_mut(begin, rows), Accum::Add, before.subrows(begin, rows), weighted, -1.0, Par::Seq);
+            matmul(
+                now.subrows_mut(begin, rows),
+                Accum::Add,
+                before.subrows(begin, rows),
+                weighted,
+                -1.0,
+                Par::Seq,
+            );
         }
         widest(Panel { own, height, begin, end });
     }

@@ -65,7 +65,11 @@ impl Factor {
     }
 
     /// Factors with pivots exchanged within supernodes \[bunch1977\].
-    pub fn eliminate_pivoted(&mut self, symbolic: &SymbolicCholesky<usize>, matrix: SparseColMatRef<usize, f64>) {
+    pub fn eliminate_pivoted(
+        &mut self,
+        symbolic: &SymbolicCholesky<usize>,
+        matrix: SparseColMatRef<usize, f64>,
+    ) {
         // faer writes the subdiagonal of 2×2 pivots only: those of the last factor would stay.
         self.subdiagonal.fill(0.0);
         let scratch = symbolic.factorize_numeric_intranode_lblt_scratch::<f64>(Par::Seq, Default::default());

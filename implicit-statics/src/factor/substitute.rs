@@ -129,7 +129,8 @@ impl<const R: usize> Sweep for Forward<'_, R> {
         let height = front.len();
         let mut j = 0;
         while j + FOUR <= width {
-            let l: [&[f64]; FOUR] = std::array::from_fn(|k| &columns[(j + k) * height + j..(j + k + 1) * height]);
+            let l: [&[f64]; FOUR] =
+                std::array::from_fn(|k| &columns[(j + k) * height + j..(j + k + 1) * height]);
             let (block, rest) = front[j..].split_at_mut(FOUR);
             for k in 0..FOUR {
                 for i in k + 1..FOUR {
@@ -178,7 +179,8 @@ impl<const R: usize> Sweep for Back<'_, R> {
         }
         for j in (0..fours).step_by(FOUR).rev() {
             let (block, rest) = front[j..].split_at_mut(FOUR);
-            let l: [&[f64]; FOUR] = std::array::from_fn(|k| &columns[(j + k) * height + j..(j + k + 1) * height]);
+            let l: [&[f64]; FOUR] =
+                std::array::from_fn(|k| &columns[(j + k) * height + j..(j + k + 1) * height]);
             let sums = products(l.map(|column| &column[FOUR..]), rest);
             for k in (0..FOUR).rev() {
                 (0..R).for_each(|r| block[k][r] -= sums[k][r]);

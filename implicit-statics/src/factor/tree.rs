@@ -69,7 +69,10 @@ pub(super) struct Supernode<'a> {
 
 impl<'a> Supernode<'a> {
     /// Columns in order: number, pivot, what is below it in the square, what is below the square.
-    pub fn columns(&self, width: usize) -> impl Iterator<Item = (usize, f64, &'a [f64], &'a [f64])> + use<'a> {
+    pub fn columns(
+        &self,
+        width: usize,
+    ) -> impl Iterator<Item = (usize, f64, &'a [f64], &'a [f64])> + use<'a> {
         let begin = self.begin;
         self.values.chunks_exact(width + self.rows.len()).enumerate().map(move |(j, column)| {
             let (square, rest) = column.split_at(width);
@@ -83,7 +86,8 @@ impl Tree {
     pub fn new(symbolic: &SymbolicCholesky<usize>, matrix: SymbolicSparseColMatRef<usize>) -> Self {
         let supernodes = supernodes(symbolic);
         let (count, columns) = (supernodes.n_supernodes(), symbolic.nrows());
-        let begin: Vec<usize> = supernodes.supernode_begin()[..count].iter().copied().chain([columns]).collect();
+        let begin: Vec<usize> =
+            supernodes.supernode_begin()[..count].iter().copied().chain([columns]).collect();
         let mut of = vec![0; columns];
         (0..count).for_each(|s| of[begin[s]..begin[s + 1]].fill(s));
         let below = |s: usize| supernodes.supernode(s).pattern();
@@ -125,7 +129,12 @@ impl Tree {
     }
 
     /// Places of rows in the fronts of the parents, and of the entries of the matrix among the values.
-    fn connect(&mut self, symbolic: &SymbolicCholesky<usize>, matrix: SymbolicSparseColMatRef<usize>, of: &[usize]) {
+    fn connect(
+        &mut self,
+        symbolic: &SymbolicCholesky<usize>,
+        matrix: SymbolicSparseColMatRef<usize>,
+        of: &[usize],
+    ) {
         let ordered = symbolic.perm().map(|perm| perm.arrays().1);
         let to = |unknown: usize| ordered.map_or(unknown, |to| to[unknown]);
         let mut entries = vec![Vec::new(); self.count()];
@@ -287,7 +296,11 @@ impl Tree {
 
     /// A supernode of a factor.
     pub fn supernode<'a>(&'a self, values: &'a [f64], s: usize) -> Supernode<'a> {
-        Supernode { begin: self.begin[s], rows: self.rows(s), values: &values[self.place[s]..self.place[s + 1]] }
+        Supernode {
+            begin: self.begin[s],
+            rows: self.rows(s),
+            values: &values[self.place[s]..self.place[s + 1]],
+        }
     }
 }
 

@@ -56,7 +56,8 @@ pub(super) fn cut_cells(scene: &BodyInScene<'_>, body: &GalerkinBody) -> Option<
 /// Whether stresses at nodes leave the run.
 fn reads_stresses(scene: &BodyInScene<'_>) -> bool {
     let column = |probe: &OnSet<'_, Probe>| matches!(probe.of, Measured::VonMises | Measured::Stress);
-    scene.output.fields.is_some_and(|fields| fields.stresses || fields.principal) || scene.curve.iter().any(column)
+    scene.output.fields.is_some_and(|fields| fields.stresses || fields.principal)
+        || scene.curve.iter().any(column)
 }
 
 /// Length over thickness from which a face at its end is to turn.
