@@ -1,5 +1,5 @@
 //! What statics of the shell cost: `cargo bench -p sph-shell --bench statics -- WHAT SIDE [LEVELS]`, all of them on small bodies
-//! without a WHAT. Times are of the processor (Linux alone tells them), on one thread.
+//! without a WHAT. Times are of the processor (Linux alone tells them), on one thread; `THREADS=2 cargo bench …` takes so many, and times of the clock.
 //!
 //! | what | on SIDE² particles |
 //! |---|---|
@@ -10,6 +10,8 @@
 //! | `modes`, `buckling` | ten modes, ten buckling loads of that plate |
 
 use std::ops::ControlFlow;
+use std::sync::LazyLock;
+use std::time::Instant;
 
 use explicit_dynamics::Amplitude;
 use implicit_statics::{
@@ -27,8 +29,13 @@ use sph_shell::{
 /// Trials of each part of an iteration.
 const TRIALS: usize = 50;
 
-/// Seconds that the processor has given this thread, as Linux tells: others on the machine hardly count.
+static BEGIN: LazyLock<Instant> = LazyLock::new(Instant::now);
+
+/// Seconds that the processor has given this thread, as Linux tells: others on the machine hardly count. Of several threads those of the clock.
 fn processor() -> f64 {
+    if rayon::current_num_threads() > 1 {
+        return BEGIN.elapsed().as_secs_f64();
+    }
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").expect("Linux");
     let first = text.split(' ').next().and_then(|nanoseconds| nanoseconds.parse::<f64>().ok());
     1e-9 * first.expect("nanoseconds")
@@ -65,7 +72,7 @@ fn shell(
         formulation: Formulation::StressPoint(Reach::Cell),
         supports,
         loads: vec![AppliedLoad { load, amplitude: Amplitude::Constant }],
-        threads: 1,
+        threads: rayon::current_num_threads(),
     })
     .build();
     StaticShell::new(shell.expect("a shell"))
@@ -123,6 +130,14 @@ fn iteration(side: usize) {
     });
     body.external(1.0, &mut forces);
     mean("solve", || solver.solve(&mut forces.clone()).expect("regular"));
+    mean("… of two", || {
+        let [mut a, mut b] = [forces.clone(), forces.clone()];
+        solver.solve_all([&mut a, &mut b]).expect("regular");
+    });
+    mean("… of four", || {
+        let [mut a, mut b, mut c, mut d] = std::array::from_fn(|_| forces.clone());
+        solver.solve_all([&mut a, &mut b, &mut c, &mut d]).expect("regular");
+    });
 }
 
 /// Pushes the crown in by 30, one level after the other as an analysis of levels does.
@@ -188,6 +203,12 @@ fn buckling(side: usize) {
 }
 
 fn main() {
+    let threads = std::env::var("THREADS").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+    pool.install(measured);
+}
+
+fn measured() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|text| text != "--bench").collect();
     let number =
         |place: usize, default| arguments.get(place).and_then(|text| text.parse().ok()).unwrap_or(default);

@@ -27,7 +27,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 66] = [
+const SCENES: [(&str, Replaced); 68] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -46,6 +46,8 @@ const SCENES: [(&str, Replaced); 66] = [
     ("heated-plate.toml", &[]),
     ("plate-heated-aside.toml", &[]),
     ("cooled-fin.toml", &[]),
+    ("cooled-fin.toml", &CONDUCTING),
+    ("plate-heated-aside.toml", &SOFTENED),
     (
         "plate-quenched.toml",
         &[("geometry.plate.particles", "[11, 11]"), ("analysis.heat.transient.duration", "20.0")],
@@ -100,6 +102,17 @@ const SCENES: [(&str, Replaced); 66] = [
     ("../coque/tests/metamorphic/stiffened.toml", &SWINGING),
     ("../coque/tests/metamorphic/bar.toml", &[("curve", STRESSES)]),
     ("thick-ring-solid.toml", &[("curve", STRESSES)]),
+];
+
+/// Numbers that go with the temperature.
+const CONDUCTING: [(&str, &str); 1] =
+    [("material.elastic.by_temperature", "{ reference = 20.0, conductivity = [[0, 1.0], [100, 3.0]] }")];
+const SOFTENED: [(&str, &str); 2] = [
+    ("geometry.plate.particles", "[13, 13]"),
+    (
+        "material.elastic.by_temperature",
+        "{ reference = 20.0, young = [[20, 1.0], [22, 0.7]], poisson = [[20, 1.0], [22, 1.1]], expansion = [[20, 1.0], [22, 1.2]] }",
+    ),
 ];
 
 /// In time, through a hundred of its steps.
