@@ -126,6 +126,8 @@ pub enum WarningKind {
     LargeStrain,
     /// A linear answer that is not small.
     LargeLinear,
+    /// Numbers of a material that stay those of the whole heat while its part goes with the level.
+    WholeHeat,
     /// Faces that are far in each other.
     DeepContact,
     /// Cells that sag far towards a round tool.
@@ -222,6 +224,7 @@ impl WarningKind {
             Self::ShearLocking => "shear-locking",
             Self::LargeStrain => "large-strain",
             Self::LargeLinear => "large-linear",
+            Self::WholeHeat => "whole-heat",
             Self::DeepContact => "deep-contact",
             Self::CoarseContact => "coarse-contact",
             Self::ShortenedStep => "shortened-step",
@@ -325,6 +328,7 @@ mod tests {
             WarningKind::ShearLocking,
             WarningKind::LargeStrain,
             WarningKind::LargeLinear,
+            WarningKind::WholeHeat,
             WarningKind::DeepContact,
             WarningKind::CoarseContact,
             WarningKind::ShortenedStep,

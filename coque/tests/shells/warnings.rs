@@ -43,7 +43,7 @@ const JITTERED: &str = "{ radius = 10.0, polar = [18.0, 90.0], azimuth = [0.0, 9
 const SCATTERED: &str = "{ lengths = [1.0, 1.0], scattered = { spacing = 0.05, seed = 1 } }";
 
 /// Scene, what breaks it, and every warning that it then raises.
-const BROKEN: [(&str, Replaced, &[WarningKind]); 16] = [
+const BROKEN: [(&str, Replaced, &[WarningKind]); 17] = [
     ("plate.toml", &[("loads", "[{ on = \"u0\", force = { total = [0, 0, 1] } }]")], &[WarningKind::NoWork]),
     ("plate.toml", &[("loads", "[{ on = \"all\", pressure = { value = 0.0 } }]")], &[WarningKind::NoWork]),
     (
@@ -72,6 +72,11 @@ const BROKEN: [(&str, Replaced, &[WarningKind]); 16] = [
     ("hemisphere.toml", &[("formulation.nodal.order", "3")], &[WarningKind::NodalLocking]),
     ("ring.toml", &[("formulation.strong-form.smoothing", "1.2")], &[WarningKind::StrongForm]),
     (
+        "plate-heated-aside.toml",
+        &[("material.elastic.by_temperature", "{ reference = 20.0, young = [[20, 1.0], [120, 0.8]] }")],
+        &[WarningKind::WholeHeat],
+    ),
+    (
         "plate.toml",
         &[
             ("geometry.plate", SCATTERED),
@@ -83,7 +88,7 @@ const BROKEN: [(&str, Replaced, &[WarningKind]); 16] = [
 ];
 
 /// Each scene beside a sound one that differs as little as may be.
-const SOUND: [(&str, Replaced); 9] = [
+const SOUND: [(&str, Replaced); 10] = [
     ("plate.toml", &[("loads", "[{ on = \"all\", force = { total = [1, 0, 1] } }]")]),
     ("plate.toml", &[("sets.centre.nearest", "[0.52, 0.48, 0.1]")]),
     ("plate.toml", &[("section.homogeneous.thickness", "0.3")]),
@@ -93,6 +98,10 @@ const SOUND: [(&str, Replaced); 9] = [
     ("plate.toml", &[("formulation.nodal.order", "3"), ("section.homogeneous.thickness", "0.1")]),
     ("plate.toml", &[("geometry.plate", SCATTERED), ("section.homogeneous.thickness", "0.0001")]),
     ("ring.toml", &[("formulation.stress-point.support", "1.4")]),
+    (
+        "cooled-fin.toml",
+        &[("material.elastic.by_temperature", "{ reference = 20.0, conductivity = [[0, 1.0], [100, 3.0]] }")],
+    ),
 ];
 
 #[test]

@@ -1,7 +1,7 @@
-//! Heat so great that strains are no longer small.
+//! Heat so great that strains are no longer small, and numbers that are not those of the heat at a level.
 
 use super::look::Look;
-use crate::scene::{Material, Section, ShellScene, Temperature};
+use crate::scene::{Analysis, Material, Section, ShellScene, Temperature};
 
 /// Strain of a free fibre beyond which lengths grow by more than two percent less than αθ: √(1 + 2αθ) is 1 + αθ (1 − αθ/2).
 const LARGE: f64 = 0.04;
@@ -25,6 +25,24 @@ pub(super) fn hot(look: &Look<'_>) -> Option<String> {
             "free, the shell would strain by {strain:.2} as it is heated, at most {LARGE} of them is a small strain, by which `expansion` is meant: mind \
              the units of `expansion` and `temperature`"
         )
+    })
+}
+
+/// A level sought of loads that heat, where moduli or expansions go with the temperature: they are made once, of the whole heat.
+pub(super) fn whole(look: &Look<'_>) -> Option<String> {
+    let scene = look.scene?;
+    let sought = matches!(scene.analysis, Analysis::Buckling(_) | Analysis::ArcLength(_));
+    let heats = scene.loads.iter().any(|load| load.temperature.is_some() && !load.preload);
+    let shell = scene.shell;
+    let parts = (0..shell.parts.len()).map(|part| shell.in_part(part)).chain([shell.clone()]);
+    let mut tabled = parts.map(|part| match part.material {
+        Material::Elastic(elastic) => elastic
+            .by_temperature
+            .is_some_and(|own| own.young.is_some() || own.poisson.is_some() || own.expansion.is_some()),
+        _ => false,
+    });
+    (sought && heats && tabled.any(|tabled| tabled)).then(|| {
+        "numbers by temperature are those of the whole change at every level: a level is right where it is 1; scale the change of temperature until it is".into()
     })
 }
 

@@ -38,7 +38,7 @@ struct Rule {
 }
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 25] = [
+const RULES: [Rule; 26] = [
     Rule { kind: WarningKind::NoWork, of: meaningless::no_work },
     Rule { kind: WarningKind::HeldLoad, of: meaningless::held_load },
     Rule { kind: WarningKind::FarNearest, of: meaningless::far_nearest },
@@ -64,6 +64,7 @@ const RULES: [Rule; 25] = [
     Rule { kind: WarningKind::Pole, of: coarse::pole },
     Rule { kind: WarningKind::CoarseContact, of: contact::coarse },
     Rule { kind: WarningKind::LargeStrain, of: hot::hot },
+    Rule { kind: WarningKind::WholeHeat, of: hot::whole },
 ];
 
 /// What is doubtful about a shell that no scene describes; see [`crate::Model::warnings`] for the others.
