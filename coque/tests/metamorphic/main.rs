@@ -27,7 +27,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 66] = [
+const SCENES: [(&str, Replaced); 68] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -49,6 +49,14 @@ const SCENES: [(&str, Replaced); 66] = [
     (
         "plate-quenched.toml",
         &[("geometry.plate.particles", "[11, 11]"), ("analysis.heat.transient.duration", "20.0")],
+    ),
+    ("tube-hot.toml", &[("bodies.tube.solid.geometry.arc.cells", "[6, 2, 4]")]),
+    (
+        "slab-cracked-hot.toml",
+        &[
+            ("bodies.plate.solid.geometry.block.spacing", "0.01"),
+            ("analysis.heat.transient.duration", "200.0"),
+        ],
     ),
     ("sandwich-panel.toml", &[]),
     ("bimetal-strip.toml", &[]),
