@@ -131,6 +131,9 @@ pub enum SolidError {
     /// Bonds that yield where they cannot.
     #[error("bonds that yield {0}")]
     Yielding(&'static str),
+    /// A plate of two sheets that should conduct heat.
+    #[error("a plate of two sheets conducts no heat; take a block of bonds, or a shell")]
+    Conduction,
     /// A crack that is none.
     #[error("crack {number} (numbered from 0) {problem}")]
     Crack {

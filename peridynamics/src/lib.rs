@@ -21,6 +21,7 @@
 
 mod bonds;
 mod conditions;
+mod conduction;
 mod constraint;
 mod contact;
 mod cracks;

@@ -60,6 +60,8 @@ pub struct Solid {
     pub(crate) works: Vec<Work>,
     /// Speed of pressure waves, a bound of all motion \[L/T\].
     pub(crate) sound_speed: f64,
+    /// Shear modulus in its space, to which weights of bonds belong \[F/L²\].
+    pub(crate) shear_modulus: f64,
     /// Who marches it, on how many threads.
     pub(crate) share: Share,
 }
@@ -150,6 +152,7 @@ impl Solid {
             breaking: Vec::new(),
             works: Vec::new(),
             sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
+            shear_modulus: moduli.mu,
             share: Share::alone(count, threads.max(1)),
             rest,
             block,

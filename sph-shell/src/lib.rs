@@ -359,7 +359,7 @@ pub use conditions::touched::contact_stiffness;
 pub use conditions::turn::Turn;
 pub use conditions::turned::Turned;
 pub use conduction::{
-    Conduction, ConductionError, Conductor, HeatBalance, HeatCourse, Radiation, Temperatures,
+    Conduction, ConductionError, Conductor, ConductorError, HeatBalance, HeatCourse, Radiation, Temperatures,
 };
 pub use control::arcs::ChordLoss;
 pub use error::{EnclosedError, HeatError, ShellError, StiffenerError};

@@ -8,6 +8,7 @@ use solid_kinematics::{PointTangent, Tangent, Tensor};
 use crate::blocks::Blocks;
 use crate::body::Galerkin;
 use crate::discretisation::Cell;
+use crate::heat::warm_volumes;
 use crate::images::Images;
 use crate::stiffness::{Scratch, cell_stiffness};
 use crate::volumes::{Coupled, Nine, couple};
@@ -86,11 +87,25 @@ impl Galerkin {
         }
     }
 
-    /// Turns moduli of the points of a cell into those with a common change of volume, where there is one.
+    /// Turns moduli of the points of a cell into those with a common change of volume, where there is one, and of a warm body into those by rest.
     pub(crate) fn couple(&self, number: usize, moduli: &mut [PointTangent]) -> Option<Coupled> {
         let points = number * self.space.points..(number + 1) * self.space.points;
         let of_points = (&self.trials[points.clone()], &self.shared[points]);
-        self.sharing.map(|sharing| couple(sharing, of_points, &self.space.cells[number].volumes, moduli))
+        let cell = &self.space.cells[number];
+        let Some(stretches) = self.stretches(number) else {
+            return self.sharing.map(|sharing| couple(sharing, of_points, &cell.volumes, moduli));
+        };
+        let warm = warm_volumes(cell, Some(stretches)).unwrap_or_default();
+        let mut coupled = self.sharing.map(|sharing| couple(sharing, of_points, &warm, moduli));
+        for (point, s) in stretches.iter().enumerate() {
+            moduli[point].iter_mut().flatten().for_each(|own| *own *= s);
+            if let Some(own) = &mut coupled {
+                for nines in [&mut own.mean, &mut own.rows, &mut own.columns] {
+                    nines[point].iter_mut().for_each(|own| *own /= s);
+                }
+            }
+        }
+        coupled
     }
 
     /// Derivative of the stress of a point; where the update failed, that of its last sound state.

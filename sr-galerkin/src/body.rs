@@ -8,6 +8,7 @@ use crate::blocks::Blocks;
 use crate::discretisation::Discretisation;
 use crate::error::GalerkinError;
 use crate::essential::Unknowns;
+use crate::heat::Heat;
 use crate::images::Images;
 use crate::loads::Loads;
 use crate::parts::{Parts, Volumes};
@@ -70,6 +71,8 @@ pub struct Galerkin {
     pub(crate) evaluated: bool,
     /// Level at which held parameters stand.
     pub(crate) level: f64,
+    /// By how much points expand; none of a body that is not warmed.
+    pub(crate) heat: Option<Heat>,
     /// Tangents since the last state accepted, and whether the consistent one is insisted on.
     pub(crate) tangents: usize,
     pub(crate) insists: bool,
@@ -126,6 +129,7 @@ impl Galerkin {
             scratch: Vec::new(),
             evaluated: false,
             level: 0.0,
+            heat: None,
             tangents: 0,
             insists: false,
             material: parts.material,
@@ -193,9 +197,11 @@ impl Galerkin {
 
     /// Puts held parameters where the unknowns and a level have them.
     pub(crate) fn put(&mut self, level: f64) {
-        let stands = self.evaluated && (!self.unknowns.moves || self.level == level);
+        let goes = self.unknowns.moves || self.heat.is_some();
+        let stands = self.evaluated && (!goes || self.level == level);
         if !stands {
             self.unknowns.put(level, &mut self.parameters);
+            self.stretch(level);
             (self.level, self.evaluated) = (level, false);
         }
     }

@@ -7,6 +7,7 @@
 //! A unit of a condition moves held parameters by G_hc, the free ones staying: the work of the forces that balance the body on this
 //! motion, `Σ_h G_hc (f_int − f_ext)_h`, is the force with which the condition holds its nodes.
 
+use heat_conduction::Eliminated;
 use sph_core::{PointShape, Vec3};
 
 use crate::discretisation::Discretisation;
@@ -64,7 +65,8 @@ impl Unknowns {
     ) -> Result<Self, GalerkinError> {
         let equations = equations(space, conditions, essential)?;
         let mut out = Self { of: vec![0; 3 * space.nodes.len()], ..Self::default() };
-        let mut solved = eliminate(&equations, conditions, 3 * space.nodes.len())?;
+        let by: Vec<f64> = conditions.iter().map(|condition| condition.by).collect();
+        let mut solved = eliminate(&equations, &by, 3 * space.nodes.len())?;
         out.dropped = equations.len() - solved.len();
         solved.sort_by_key(|row| row.parameter);
         solved.iter().for_each(|row| out.of[row.parameter as usize] = HELD);
@@ -170,11 +172,11 @@ pub(crate) fn row(
 /// Solves equations one after the other, each for the parameter that it weighs most; those that say nothing new are left out.
 fn eliminate(
     equations: &[Equation],
-    conditions: &[Condition],
+    by: &[f64],
     parameters: usize,
 ) -> Result<Vec<HeldParameter>, GalerkinError> {
-    let scale = conditions.iter().fold(0.0, |most: f64, condition| most.max(condition.by.abs()));
-    let mut row = SparseRow::new(parameters + conditions.len()); // conditions stand behind the parameters
+    let scale = by.iter().fold(0.0, |most: f64, by| most.max(by.abs()));
+    let mut row = SparseRow::new(parameters + by.len()); // conditions stand behind the parameters
     let mut rows: Vec<(u32, Vec<(u32, f64)>)> = Vec::new();
     for equation in equations {
         let mut most = 0.0_f64;
@@ -192,9 +194,9 @@ fn eliminate(
             continue;
         }
         let rest = row.take(1.0).into_iter().filter(|&(column, _)| column as usize >= parameters);
-        let left: f64 = rest.map(|(column, g)| -g * conditions[column as usize - parameters].by).sum();
+        let left: f64 = rest.map(|(column, g)| -g * by[column as usize - parameters]).sum();
         if left.abs() > DEPENDENT * scale {
-            let (node, wanted) = (equation.node, conditions[equation.condition as usize].by);
+            let (node, wanted) = (equation.node, by[equation.condition as usize]);
             return Err(GalerkinError::Contradiction { node, wanted, left });
         }
     }
@@ -214,10 +216,21 @@ fn eliminate(
             part.iter().filter(|term| term.0 != parameter).map(|&(c, t)| (c - first as u32, -t)).collect()
         };
         let moves: Vec<(u32, f64)> = of(&terms[split..], parameters);
-        let rate = moves.iter().map(|&(condition, g)| g * conditions[condition as usize].by).sum();
+        let rate = moves.iter().map(|&(condition, g)| g * by[condition as usize]).sum();
         HeldParameter { parameter, terms: of(&terms[..split], 0), moves, rate }
     };
     Ok(rows.into_iter().map(held).collect())
+}
+
+/// Parameters for which equations with these coefficients are solved, each a condition of its own; those that depend on others are left out.
+pub(crate) fn held_alone(rows: &[&[(u32, f64)]], parameters: usize) -> Vec<Eliminated> {
+    let equation =
+        |(condition, row): (u32, &&[(u32, f64)])| Equation { node: 0, condition, terms: row.to_vec() };
+    let equations: Vec<Equation> = (0..).zip(rows).map(equation).collect();
+    // Conditions of zero cannot contradict each other.
+    let solved = eliminate(&equations, &vec![0.0; rows.len()], parameters).unwrap_or_default();
+    let held = |HeldParameter { parameter, terms, moves, .. }| Eliminated { parameter, terms, moves };
+    solved.into_iter().map(held).collect()
 }
 
 /// A row under elimination: its values in full, and which of them were touched.

@@ -144,10 +144,12 @@
 mod assembly;
 mod blocks;
 mod body;
+mod conduction;
 mod discretisation;
 mod error;
 mod essential;
 mod hardened;
+mod heat;
 mod images;
 mod joined;
 mod loads;
@@ -162,6 +164,7 @@ mod sweep;
 mod volumes;
 
 pub use body::Galerkin;
+pub use conduction::{Conduction, Gradients};
 pub use error::GalerkinError;
 pub use hardened::Hardened;
 pub use images::Mirror;

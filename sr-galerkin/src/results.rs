@@ -81,17 +81,18 @@ impl Galerkin {
 
     /// All points of the quadrature, as they were when forces were last evaluated.
     pub fn point_results(&self) -> Vec<PointResult> {
-        let of = |(trial, place): (&Trial, &Vec3)| {
+        let of = |(number, (trial, place)): (usize, (&Trial, &Vec3))| {
             let (f, axes) = (trial.state.gradient, trial.state.axes);
             let rotation = polar(&f);
             let turned = if self.remembers() { axes } else { rotation * axes };
             let cauchy = turned.transpose() * trial.kirchhoff * turned / f.determinant();
+            let f = self.heat.as_ref().map_or(f, |heat| f * heat.stretch[number]);
             let green = (f.transpose() * f - Tensor::identity()) * 0.5;
             let local = strains(&(self.axes.transpose() * green * self.axes));
             let stress = PAIRS.map(|(i, j)| cauchy[(i, j)]);
             PointResult { place: *place, stress, strain: local, angle: angle(&rotation), axes: turned }
         };
-        self.trials.iter().zip(&self.space.places).map(of).collect()
+        self.trials.iter().zip(&self.space.places).enumerate().map(of).collect()
     }
 
     /// Equivalent plastic strain \[–\] and energy dissipated \[F L\] of all points of the quadrature, as they were committed last; empty where

@@ -60,7 +60,12 @@ impl Equilibrium for Galerkin {
                 }
             });
         }
+        self.take_heat_rate(level);
         self.unknowns.project(&self.external, out);
+    }
+
+    fn stress_forces(&self, level: f64) -> f64 {
+        self.heat_exerts(level)
     }
 
     fn tangent(&mut self, level: f64, values: &mut [f64]) {
@@ -157,7 +162,11 @@ impl Equilibrium for Galerkin {
     fn energy(&mut self) -> f64 {
         self.evaluate_internal(self.level);
         let volumes = self.space.cells.iter().flat_map(|cell| &cell.volumes);
-        self.trials.iter().zip(volumes).map(|(trial, v)| v * self.material.energy(&trial.state)).sum()
+        let all = self.trials.iter().zip(volumes);
+        let Some(heat) = &self.heat else {
+            return all.map(|(trial, v)| v * self.material.energy(&trial.state)).sum();
+        };
+        all.zip(&heat.stretch).map(|((trial, v), s)| v * s * s * s * self.material.energy(&trial.state)).sum()
     }
 
     fn masses(&self) -> Vec<f64> {

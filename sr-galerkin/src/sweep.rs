@@ -6,6 +6,7 @@ use sph_core::Vec3;
 
 use crate::body::Galerkin;
 use crate::discretisation::{Cell, LANES, MOST_POINTS};
+use crate::heat::warm_volumes;
 use crate::images::Images;
 use crate::volumes::{Shared, Sharing, mean_pressure, share, shared_piola};
 
@@ -36,9 +37,11 @@ impl Galerkin {
         let (history, cells) = (&self.history, &self.space.cells);
         let parameters = (&self.space.images, self.parameters.as_slice());
         let sharing = self.sharing;
+        let heat = self.heat.as_ref().map(|heat| heat.stretch.as_slice());
         let work = |number: usize, shared: &mut [Shared], (trials, forces): (&mut [Trial], &mut [f64])| {
             let from = &history[number * points..][..points];
-            sweep_cell(&cells[number], (material, sharing), parameters, from, (shared, trials), forces).err()
+            let of_cell = (&cells[number], heat.map(|heat| &heat[number * points..][..points]));
+            sweep_cell(of_cell, (material, sharing), parameters, from, (shared, trials), forces).err()
         };
         if self.threads > 1 {
             let both = self.trials.par_chunks_mut(points).zip(self.cell_forces.par_chunks_mut(stride));
@@ -62,12 +65,12 @@ impl Galerkin {
     }
 }
 
-/// Leads the points of a cell from the history to the parameters; forces on its nodes, a row for each axis.
+/// Leads the points of a cell, and of one that is warm their stretches, from the history to the parameters; forces on its nodes, a row for each axis.
 ///
 /// # Errors
 /// The first point that cannot follow; forces are then no numbers.
 fn sweep_cell(
-    cell: &Cell,
+    (cell, stretches): (&Cell, Option<&[f64]>),
     (material, sharing): (&Material, Option<Sharing>),
     (images, parameters): (&Images, &[f64]),
     history: &[PointState],
@@ -97,12 +100,17 @@ fn sweep_cell(
             one + dot(&local[i * width..][..width], cell.gradient(point, j))
         });
     }
+    let warm = warm_volumes(cell, stretches);
+    let volumes = warm.as_deref().unwrap_or(&cell.volumes);
+    for (gradient, s) in gradients.iter_mut().zip(stretches.unwrap_or_default()) {
+        *gradient /= *s;
+    }
     let mut refuse = |trouble: (u32, PointError)| {
         forces.fill(f64::NAN);
         Err(trouble)
     };
     if let Some(sharing) = sharing
-        && let Err(trouble) = share(sharing, gradients, &cell.volumes, shared)
+        && let Err(trouble) = share(sharing, gradients, volumes, shared)
     {
         return refuse(trouble);
     }
@@ -112,13 +120,16 @@ fn sweep_cell(
             Err(error) => return refuse((point as u32, error)),
         }
     }
-    let sharing = sharing.map(|sharing| (sharing, mean_pressure(trials, &cell.volumes)));
+    let sharing = sharing.map(|sharing| (sharing, mean_pressure(trials, volumes)));
     for (point, trial) in trials.iter().enumerate() {
         let piola = match sharing {
             None => trial.piola,
             Some((sharing, mean)) => shared_piola(sharing, trial, shared[point], mean),
         };
-        let piola = piola * cell.volumes[point];
+        let mut piola = piola * volumes[point];
+        if let Some(stretches) = stretches {
+            piola /= stretches[point];
+        }
         let [a, b, c] = [0, 1, 2].map(|j| cell.gradient(point, j));
         for i in 0..3 {
             let [p, q, r] = [0, 1, 2].map(|j| piola[(i, j)]);

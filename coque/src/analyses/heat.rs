@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use explicit_dynamics::Instant;
-use sph_shell::HeatCourse;
+use heat_conduction::HeatCourse;
 
 use crate::bodies::ConductingBody;
 use crate::run::Run;
@@ -23,8 +23,7 @@ pub(super) fn steady(body: &mut dyn ConductingBody, run: &mut Run<'_>) -> Ended 
     }
     let mut row = match body.settle() {
         Err(cause) => return Ended::Diverged(Failure::Heat(cause)),
-        Ok(found) => {
-            let (heat, iterations) = (&found.balance, found.iterations);
+        Ok((heat, iterations)) => {
             run.record.newton_iterations = iterations as u64;
             vec![iterations as f64, heat.supplied, heat.held, heat.film, heat.radiated]
         }

@@ -25,6 +25,7 @@ mod beside;
 pub(crate) mod body;
 mod build;
 mod built_body;
+mod conducting;
 mod contact_now;
 pub(crate) mod contacts_of_scene;
 mod coupled;

@@ -1,16 +1,16 @@
 //! Bodies ready for their analysis: one that is marched, one whose equilibria are sought, one that conducts heat.
 
-use sph_shell::{ConductionError, HeatCourse, Temperatures};
+use heat_conduction::{ConductionError, HeatBalance, HeatCourse};
 
 use super::body::{Body, DynamicBody, StaticBody};
 
 /// A body that conducts heat and does not move.
 pub trait ConductingBody: Body {
-    /// Brings it to temperatures in balance.
+    /// Brings it to temperatures in balance; the heat that enters by each way, and the solves made.
     ///
     /// # Errors
     /// [`ConductionError`] where no balance is found.
-    fn settle(&mut self) -> Result<&Temperatures, ConductionError>;
+    fn settle(&mut self) -> Result<(HeatBalance, usize), ConductionError>;
 
     /// Puts it at the start of a course of temperatures: all of it at one \[Θ\], or in balance under what is given then.
     ///

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 119] = [
+const EXAMPLES: [Example; 121] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -157,6 +157,8 @@ const EXAMPLES: [Example; 119] = [
     Example::new("strip-cycled", 0.3, include_str!("../../../scenes/strip-cycled.toml")),
     Example::new("ring-struck", 0.3, include_str!("../../../scenes/ring-struck.toml")),
     Example::new("tube-crushed", 3.0, include_str!("../../../scenes/tube-crushed.toml")),
+    Example::new("tube-hot", 0.5, include_str!("../../../scenes/tube-hot.toml")),
+    Example::new("slab-cracked-hot", 0.5, include_str!("../../../scenes/slab-cracked-hot.toml")),
     Example::new("tube-inflating", 0.1, include_str!("../../../scenes/tube-inflating.toml")),
     Example::new("twisted-beam", 0.1, include_str!("../../../scenes/twisted-beam.toml")),
     Example::new("twisted-strip", 0.5, include_str!("../../../scenes/twisted-strip.toml")),

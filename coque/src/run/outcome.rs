@@ -3,10 +3,10 @@
 use std::fmt;
 
 use explicit_dynamics::MarchError;
+use heat_conduction::ConductionError;
 use implicit_statics::EquilibriumError;
 use mesh_io::FieldError;
 use sph_core::Cell;
-use sph_shell::ConductionError;
 
 use super::summary::Summary;
 use crate::bodies::Shape;

@@ -1,4 +1,4 @@
-//! Heat that a shell conducts along its mid-surface: what holds its temperature, and what gives it heat.
+//! Heat that a body conducts, a shell along its mid-surface: what holds its temperature, and what gives it heat.
 
 use explicit_dynamics::Amplitude;
 use schemars::JsonSchema;
@@ -7,20 +7,22 @@ use sph_shell::WetFaces;
 
 use crate::scene::bounded::Positive;
 
-/// What holds temperatures of a shell, or gives it heat: exactly one kind is given. It belongs to `analysis.heat`, and to loads whose `temperature` is `conducted`.
+/// What holds temperatures of a shell or of a solid, or gives it heat: exactly one kind is given. It belongs to `analysis.heat`, and to loads whose `temperature` is `conducted`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HeatScene {
-    /// Particle set, or a list of sets: the union of them. Fluxes by area, films and radiation take its cells.
+    /// Particle set, or a list of sets: the union of them. Fluxes by area, films and radiation take its cells, of a solid the faces that lie in it.
     pub on: String,
     /// Temperature at which it is held, by any unit Θ of temperature \[Θ\].
     pub held: Option<f64>,
-    /// Heat that enters the set in all: by tributary length on an edge, by area on cells, else equally \[F L/T\].
+    /// Heat that enters the set in all: by tributary length on an edge, by area on cells and faces, else equally, of a solid by volume \[F L/T\].
     pub flow: Option<f64>,
-    /// Heat that enters cells by area of the mid-surface: that of a face, or of a source times the thickness \[F/(L T)\].
+    /// Heat that enters by area: of a shell by that of its mid-surface, that of a face, or of a source times the thickness \[F/(L T)\].
     pub flux: Option<f64>,
-    /// Heat that enters through an edge, by area of its cross-section \[F/(L T)\].
+    /// Heat that enters through an edge of a shell, by area of its cross-section \[F/(L T)\].
     pub edge_flux: Option<f64>,
+    /// Heat that comes into being in a solid, by volume \[F/(L² T)\].
+    pub source: Option<f64>,
     /// Film between faces of cells and a surrounding of one temperature.
     pub film: Option<Film>,
     /// Radiation from faces of cells to a surrounding of one temperature.
@@ -38,9 +40,8 @@ pub struct Film {
     pub coefficient: Positive,
     /// Ambient temperature \[Θ\].
     pub ambient: f64,
-    /// The faces that have it; left out, both alike.
-    #[serde(default)]
-    pub faces: WetFaces,
+    /// The faces of a shell that have it; left out, both alike.
+    pub faces: Option<WetFaces>,
 }
 
 /// Radiation of grey faces.
@@ -55,14 +56,14 @@ pub struct RadiationScene {
     pub surroundings: f64,
     /// Absolute zero in the unit of temperature, 0 of kelvins, -273.15 of degrees Celsius \[Θ\].
     pub zero: f64,
-    /// The faces that radiate; left out, both alike.
-    #[serde(default)]
-    pub faces: WetFaces,
+    /// The faces of a shell that radiate; left out, both alike.
+    pub faces: Option<WetFaces>,
 }
 
 impl HeatScene {
     /// Keys of the kinds.
-    pub(crate) const WORDS: [&'static str; 6] = ["held", "flow", "flux", "edge_flux", "film", "radiation"];
+    pub(crate) const WORDS: [&'static str; 7] =
+        ["held", "flow", "flux", "edge_flux", "source", "film", "radiation"];
 
     /// The keys that are given.
     pub(crate) fn given(&self) -> Vec<&'static str> {
@@ -71,6 +72,7 @@ impl HeatScene {
             self.flow.is_some(),
             self.flux.is_some(),
             self.edge_flux.is_some(),
+            self.source.is_some(),
             self.film.is_some(),
             self.radiation.is_some(),
         ];
@@ -84,15 +86,15 @@ impl HeatScene {
     }
 }
 
-/// How many faces take part.
-pub(crate) fn count(faces: WetFaces) -> f64 {
-    if faces == WetFaces::Both { 2.0 } else { 1.0 }
+/// How many faces of a shell take part.
+pub(crate) fn count(faces: Option<WetFaces>) -> f64 {
+    if faces.unwrap_or_default() == WetFaces::Both { 2.0 } else { 1.0 }
 }
 
-/// Temperatures that a shell takes up as it conducts the heat of `[[heat]]`.
+/// Temperatures that a body takes up as it conducts the heat of `[[heat]]`.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Conducted {
-    /// Temperature at which the shell is free of strain: the change is what the conducted temperature is over it \[Θ\].
+    /// Temperature at which the body is free of strain: the change is what the conducted temperature is over it \[Θ\].
     pub over: f64,
 }

@@ -152,18 +152,18 @@ pub struct Traction {
     pub depth: Option<Positive>,
 }
 
-/// Change of temperature of cells of a shell, of one or both of its two parts. The level brings it up; in a transient run it is there from the start.
+/// Change of temperature of cells of a shell, of one or both of its two parts, or of all of a Galerkin solid. The level brings it up; in a transient run it is there from the start.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Temperature {
-    /// Change in the middle of the thickness, in the unit of temperature that `expansion` is by \[Θ\].
+    /// Change in the middle of the thickness, or of the whole solid, in the unit of temperature that `expansion` is by \[Θ\].
     pub change: Option<f64>,
-    /// Change of the upper face, to which the normals point, less that of the lower \[Θ\].
+    /// Of a shell the change of the upper face, to which the normals point, less that of the lower \[Θ\].
     pub difference: Option<f64>,
     /// Name of an array in memory with a number for each particle of a shell: in a cell the mean of its corners' multiplies `change` and `difference`.
     /// Python brings such arrays.
     pub values: Option<String>,
-    /// In place of numbers: what the shell takes up as it conducts the heat of `[[heat]]`.
+    /// In place of numbers: what the body takes up as it conducts the heat of `[[heat]]`.
     pub conducted: Option<Conducted>,
 }
 

@@ -125,6 +125,8 @@ pub enum Quantity {
     HeatFlow,
     /// \[F/T\].
     HeatByLength,
+    /// \[F/(L T)\].
+    HeatByArea,
 }
 
 impl Quantity {
@@ -162,6 +164,7 @@ impl Quantity {
             Self::Temperature => "Θ".into(),
             Self::HeatFlow => format!("{force} {length}/{time}"),
             Self::HeatByLength => format!("{force}/{time}"),
+            Self::HeatByArea => format!("{force}/({length} {time})"),
         }
     }
 
@@ -186,6 +189,7 @@ impl Quantity {
             Self::FluxByDepth => [2, 0, -1],
             Self::HeatFlow => [1, 1, -1],
             Self::HeatByLength => [0, 1, -1],
+            Self::HeatByArea => [-1, 1, -1],
         }
     }
 }

@@ -52,6 +52,14 @@ const SCENES: [(&str, Replaced); 68] = [
         "plate-quenched.toml",
         &[("geometry.plate.particles", "[11, 11]"), ("analysis.heat.transient.duration", "20.0")],
     ),
+    ("tube-hot.toml", &[("bodies.tube.solid.geometry.arc.cells", "[6, 2, 4]")]),
+    (
+        "slab-cracked-hot.toml",
+        &[
+            ("bodies.plate.solid.geometry.block.spacing", "0.01"),
+            ("analysis.heat.transient.duration", "200.0"),
+        ],
+    ),
     ("sandwich-panel.toml", &[]),
     ("bimetal-strip.toml", &[]),
     ("ring.toml", &[("analysis", "{ static = { levels = 4 } }"), ("geometry.plate.particles", "[25, 5]")]),

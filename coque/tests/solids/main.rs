@@ -10,6 +10,7 @@ mod filled_galerkin;
 mod galerkin;
 mod galerkin_faces;
 mod galerkin_support;
+mod heat;
 mod solid;
 mod solid_warnings;
 mod stresses;

@@ -70,6 +70,11 @@ pub(crate) trait Mechanics: Send + Sync {
     /// Directed bonds.
     fn bonds(&self) -> usize;
 
+    /// Pairs of nodes with the stiffness of the whole bonds between them, images counted with their nodes \[F/L\]; none of what is not made of bonds alone.
+    fn pairs(&self) -> Option<Vec<(u32, u32, f64)>> {
+        None
+    }
+
     /// Bound of what contact adds to eigenvalues of the mass-scaled stiffness \[1/T²\].
     fn contact_spectrum(&self) -> f64 {
         0.0

@@ -140,6 +140,28 @@ impl Network {
         }
     }
 
+    /// Pairs of nodes with the stiffness of the whole bonds between them, images counted with their nodes \[F/L\].
+    pub fn pairs(&self) -> Vec<(u32, u32, f64)> {
+        let mut out = Vec::with_capacity(self.bonds / 2);
+        for node in 0..self.len() {
+            for pack in self.packs_of(node) {
+                for (&number, &own) in self.others[pack].iter().zip(&self.stiffness[pack]) {
+                    let other = self.source(number as usize);
+                    if own == 0.0 || other == node {
+                        continue;
+                    }
+                    // Both ends have the bond; that to an image is one of two alike.
+                    if number as usize != other {
+                        out.push((node as u32, other as u32, 0.5 * own));
+                    } else if node < other {
+                        out.push((node as u32, other as u32, own));
+                    }
+                }
+            }
+        }
+        out
+    }
+
     /// Memory of the packs \[bytes\].
     pub fn bytes(&self) -> usize {
         let arrays = if self.dilatation.is_some() { 4 } else { 2 };

@@ -199,6 +199,10 @@ impl Mechanics for SolidBonds {
         self.network.bonds
     }
 
+    fn pairs(&self) -> Option<Vec<(u32, u32, f64)>> {
+        Some(self.network.pairs())
+    }
+
     fn contact_spectrum(&self) -> f64 {
         self.contact.as_ref().map_or(0.0, Repulsion::spectrum)
     }

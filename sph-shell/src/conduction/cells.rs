@@ -11,7 +11,7 @@
 
 use sph_core::{SamplingOperator, Vec3};
 
-use super::{ConductionError, Conductor};
+use super::{Conductor, ConductorError};
 
 /// Projection of an axis on the surface below which it has no direction there.
 const SHORTEST: f64 = 1e-6;
@@ -79,16 +79,16 @@ pub(super) fn turned([along, across, between]: [f64; 3], [cos, sin]: [f64; 2]) -
 /// The conductances of cells in the frames of their points.
 ///
 /// # Errors
-/// [`ConductionError`] for conductors that are not positive definite, and for axes that stand on the surface.
+/// [`ConductorError`] for conductors that are not positive definite, and for axes that stand on the surface.
 pub(super) fn in_frames(
     operator: &SamplingOperator,
     conductors: &[Conductor],
-) -> Result<Vec<[f64; 3]>, ConductionError> {
+) -> Result<Vec<[f64; 3]>, ConductorError> {
     let mut all = Vec::with_capacity(conductors.len());
     for (cell, Conductor { tensor, axis }) in conductors.iter().enumerate() {
         let [k11, k22, k12] = *tensor;
         if !(k11 > 0.0 && k11.is_finite() && k22.is_finite() && k11 * k22 > k12 * k12) {
-            return Err(ConductionError::Conductor { cell, tensor: *tensor });
+            return Err(ConductorError::Conductor { cell, tensor: *tensor });
         }
         let point = &operator.points[cell];
         let Some(axis) = axis else {

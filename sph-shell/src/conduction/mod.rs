@@ -8,25 +8,21 @@
 //! four particles does not see, the pattern (1, −1, 1, −1), conducts as it would by the bilinear interpolation of a parallelogram (cells.rs): nothing but a uniform
 //! temperature runs free of heat. Sources, films and radiation act at particles, by their areas. Particles of several sheets that are joined are one.
 //!
-//! The heat that enters a particle is a derivative of a convex function of the temperatures, so that there is one answer, and Newton's method finds it; without
-//! radiation in one solve ([`Conduction::steady`]). Cells may conduct by their temperature (tables.rs): then each solve takes what they conduct from the one before. In time the left side has `ρ c t ∂T/∂t` beside it ([`HeatCourse`]).
+//! How balances and courses are found is the page of the crate `heat-conduction`. Cells may conduct by their temperature (tables.rs). In time the left side has `ρ c t ∂T/∂t` beside it, stored at the particles ([`HeatCourse`]).
 
 mod cells;
 mod course;
 mod error;
-mod given;
-mod steady;
-mod system;
 mod tables;
 
 use explicit_dynamics::Amplitude;
+use heat_conduction::{Conducts, Entry};
 use sph_core::{Cloud, SamplingOperator, Vec3, cell_operator};
 
 use cells::CellMatrix;
 pub use course::HeatCourse;
-pub use error::ConductionError;
-use given::{Changing, Given, What};
-pub use steady::{HeatBalance, Temperatures};
+pub use error::ConductorError;
+pub use heat_conduction::{ConductionError, HeatBalance, Radiation};
 use tables::Tables;
 
 /// How a cell conducts heat.
@@ -51,45 +47,75 @@ impl Conductor {
     }
 }
 
-/// A surface that radiates.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Radiation {
-    /// Emissivity times the constant of Stefan and Boltzmann, of all faces together \[F/(L T Θ⁴)\].
-    pub factor: f64,
-    /// Temperature of what surrounds it \[Θ\].
-    pub surroundings: f64,
-    /// Absolute zero \[Θ\].
-    pub zero: f64,
-}
-
 /// A surface that conducts heat, with what holds and feeds it.
 #[derive(Clone, Debug)]
 pub struct Conduction {
     operator: SamplingOperator,
     /// Conductance of each cell in the frame of its point \[F L/(T Θ)\].
     tensors: Vec<[f64; 3]>,
-    cells: Vec<CellMatrix>,
     /// Node of each particle: of those that are joined the first.
     node: Vec<u32>,
     pieces: Vec<Vec<u32>>,
-    /// What is given whenever it is, and how films and radiation join nodes to what goes by a course.
-    given: Given,
-    changing: Vec<Changing>,
-    courses: Vec<Amplitude>,
-    /// The one by which goes what is given now.
-    course: Option<usize>,
+    heat: heat_conduction::Conduction<Cells>,
+}
+
+/// What cells conduct between nodes.
+#[derive(Clone, Debug)]
+struct Cells {
+    nodes: usize,
+    cells: Vec<CellMatrix>,
     /// How cells conduct by temperature, where some do.
     tables: Tables,
+}
+
+/// Temperatures of a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Temperatures {
+    /// Of each particle \[Θ\].
+    pub values: Vec<f64>,
+    /// Heat that enters at each particle by what holds its temperature \[F L/T\]; of joined particles at the first.
+    pub held: Vec<f64>,
+    /// Heat that runs through each cell, by length across it \[F/T\].
+    pub flux: Vec<Vec3>,
+    /// Where heat comes from.
+    pub balance: HeatBalance,
+    /// Solves made.
+    pub iterations: usize,
+}
+
+impl Conducts for Cells {
+    fn parameters(&self) -> usize {
+        self.nodes
+    }
+
+    fn visit(&self, temperatures: &[f64], mut found: impl FnMut(Entry)) {
+        for (c, cell) in self.cells.iter().enumerate() {
+            let (factor, nodes) = (self.conducts(c, temperatures), &cell.nodes[..cell.count]);
+            for (&row, entries) in nodes.iter().zip(&cell.entries) {
+                for (&column, &value) in nodes.iter().zip(entries) {
+                    found(Entry { row, column, value, factor });
+                }
+            }
+        }
+    }
+
+    fn goes_with_temperature(&self) -> bool {
+        !self.tables.is_empty()
+    }
+
+    fn refuse_beyond_tables(&self, temperatures: &[f64]) -> Result<(), ConductionError> {
+        self.refuse_other_temperatures(temperatures)
+    }
 }
 
 impl Conduction {
     /// A surface of cells, with how each of them conducts.
     ///
     /// # Errors
-    /// [`ConductionError`] for a cloud without cells, conductors that are not one a cell or conduct not at all in some direction, and axes that stand on the surface.
-    pub fn new(cloud: &Cloud, conductors: &[Conductor]) -> Result<Self, ConductionError> {
+    /// [`ConductorError`] for a cloud without cells, conductors that are not one a cell or conduct not at all in some direction, and axes that stand on the surface.
+    pub fn new(cloud: &Cloud, conductors: &[Conductor]) -> Result<Self, ConductorError> {
         if cloud.cells.is_empty() || conductors.len() != cloud.cells.len() {
-            return Err(ConductionError::Cells { cells: cloud.cells.len(), conductors: conductors.len() });
+            return Err(ConductorError::Cells { cells: cloud.cells.len(), conductors: conductors.len() });
         }
         let operator = cell_operator(cloud)?;
         let mut node: Vec<u32> = (0..cloud.len() as u32).collect();
@@ -100,32 +126,22 @@ impl Conduction {
         let tensors = cells::in_frames(&operator, conductors)?;
         let cells =
             (0..tensors.len()).map(|c| CellMatrix::new(&operator, c, &tensors[c], &cloud.positions, &node));
-        let count = cloud.len();
-        Ok(Self {
-            cells: cells.collect(),
-            operator,
-            tensors,
-            node,
-            pieces: cloud.pieces(),
-            given: Given::none(count),
-            changing: Vec::new(),
-            courses: Vec::new(),
-            course: None,
-            tables: Tables::default(),
-        })
+        let cells = Cells { nodes: cloud.len(), cells: cells.collect(), tables: Tables::default() };
+        let (pieces, heat) = (cloud.pieces(), heat_conduction::Conduction::new(cells));
+        Ok(Self { operator, tensors, node, pieces, heat })
     }
 
     /// Lets cells conduct by a factor that goes with the mean temperature of their corners, on straight lines between `[temperature, factor]` \[Θ, –\].
     pub fn by_temperature(&mut self, cells: &[u32], factors: Vec<[f64; 2]>) {
-        self.tables.put(cells, factors, self.cells.len());
+        let own = self.heat.conductor_mut();
+        own.tables.put(cells, factors, own.cells.len());
     }
 
     /// Lets temperatures and heat that are given meanwhile go by a course in time, which multiplies them; film coefficients and emissivities stay.
     pub fn in_course<R>(&mut self, course: Amplitude, give: impl FnOnce(&mut Self) -> R) -> R {
-        let before = self.course.replace(self.courses.len());
-        self.courses.push(course);
+        let before = self.heat.begin_course(course);
         let given = give(self);
-        self.course = before;
+        self.heat.end_course(before);
         given
     }
 
@@ -134,72 +150,65 @@ impl Conduction {
     /// # Errors
     /// [`ConductionError::Contradiction`] for one that is held at another already, or by another course.
     pub fn hold(&mut self, particles: &[u32], temperature: f64) -> Result<(), ConductionError> {
-        let own = self.course.map(|course| (&self.courses[course], temperature));
-        let start = own.map_or(temperature, |(course, _)| course.value(0.0) * temperature);
         let nodes: Vec<u32> = particles.iter().map(|&a| self.node[a as usize]).collect();
-        for (&node, &particle) in nodes.iter().zip(particles) {
-            let held = self.given.held[node as usize];
-            if let Some(other) = held.filter(|&other| other != start || self.holds(node) != own) {
-                return Err(ConductionError::Contradiction { particle, temperatures: [other, start] });
-            }
-        }
-        for node in nodes {
-            self.given.held[node as usize] = Some(start);
-            self.goes_by_course(node, temperature, What::Held);
-        }
-        Ok(())
-    }
-
-    /// By which course a node is held, and at what.
-    fn holds(&self, node: u32) -> Option<(&Amplitude, f64)> {
-        let own = self.changing.iter().find(|own| own.node == node && own.what == What::Held)?;
-        Some((&self.courses[own.course], own.number))
-    }
-
-    /// Whether what is given to a node goes by a course; notes it.
-    fn goes_by_course(&mut self, node: u32, number: f64, what: What) -> bool {
-        self.changing.extend(self.course.map(|course| Changing { course, node, number, what }));
-        self.course.is_some()
+        self.heat.hold(&nodes, temperature)
     }
 
     /// Supplies heat to particles \[F L/T\].
     pub fn supply(&mut self, heat: &[(u32, f64)]) {
-        for &(a, heat) in heat {
-            let node = self.node[a as usize];
-            if !self.goes_by_course(node, heat, What::Supplied) {
-                self.given.supplied[node as usize] += heat;
-            }
-        }
+        heat.iter().for_each(|&(a, heat)| self.heat.supply(self.node[a as usize], heat));
     }
 
     /// A film between areas of particles \[L²\] and something of an ambient temperature \[Θ\], by its coefficient \[F/(L T Θ)\].
     pub fn film(&mut self, areas: &[(u32, f64)], coefficient: f64, ambient: f64) {
-        for &(a, area) in areas {
-            let (node, by_degree) = (self.node[a as usize], coefficient * area);
-            self.given.film[node as usize][0] += by_degree;
-            if !self.goes_by_course(node, by_degree * ambient, What::Film) {
-                self.given.film[node as usize][1] += by_degree * ambient;
-            }
-        }
+        areas
+            .iter()
+            .for_each(|&(a, area)| self.heat.film(self.node[a as usize], coefficient * area, ambient));
     }
 
     /// Areas of particles that radiate \[L²\].
     pub fn radiate(&mut self, areas: &[(u32, f64)], radiation: Radiation) {
         for &(a, area) in areas {
-            let node = self.node[a as usize];
-            self.goes_by_course(node, radiation.surroundings, What::Surroundings(self.given.radiating.len()));
-            self.given.radiating.push((node, Radiation { factor: radiation.factor * area, ..radiation }));
+            let own = Radiation { factor: radiation.factor * area, ..radiation };
+            self.heat.radiate(self.node[a as usize], own);
         }
     }
 
     /// The first particle of a piece whose temperature nothing tells: neither is it held nor is there a film or radiation. None where there is no such piece.
     pub fn untold(&self) -> Option<u32> {
-        let Given { held, film, radiating, .. } = &self.given;
-        let mut known: Vec<bool> =
-            held.iter().zip(film).map(|(held, film)| held.is_some() || film[0] > 0.0).collect();
-        radiating.iter().filter(|(_, own)| own.factor > 0.0).for_each(|(a, _)| known[*a as usize] = true);
-        let piece =
-            self.pieces.iter().find(|piece| piece.iter().all(|&a| !known[self.node[a as usize] as usize]));
+        let told = self.heat.told();
+        let is_told = |&a: &u32| told[self.node[a as usize] as usize];
+        let piece = self.pieces.iter().find(|piece| !piece.iter().any(is_told));
         piece.and_then(|piece| piece.first().copied())
+    }
+
+    /// The temperatures in balance under what is given at the start of all courses.
+    ///
+    /// # Errors
+    /// [`ConductionError`] for pieces whose temperature nothing tells, and for balances that are not found.
+    pub fn steady(&self) -> Result<Temperatures, ConductionError> {
+        match self.untold() {
+            Some(particle) => Err(ConductionError::Untold { particle }),
+            None => Ok(self.seen(&self.heat.steady()?)),
+        }
+    }
+
+    /// Temperatures of particles and heat through cells.
+    fn seen(&self, found: &heat_conduction::Temperatures) -> Temperatures {
+        let values: Vec<f64> = self.node.iter().map(|&a| found.values[a as usize]).collect();
+        let cells = self.heat.conductor();
+        let factors = Vec::from_iter((0..cells.cells.len()).map(|c| cells.conducts(c, &found.values)));
+        let flux = self.operator.gradient(&values).into_iter().enumerate().map(|(c, [g1, g2])| {
+            let ([k11, k22, k12], frame) = (self.tensors[c], &self.operator.points[c].frame);
+            -(frame.t1 * (k11 * g1 + k12 * g2) + frame.t2 * (k12 * g1 + k22 * g2)) * factors[c]
+        });
+        let flux = flux.collect();
+        Temperatures {
+            values,
+            held: found.held.clone(),
+            flux,
+            balance: found.balance,
+            iterations: found.iterations,
+        }
     }
 }

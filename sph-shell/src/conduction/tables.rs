@@ -6,7 +6,7 @@
 use explicit_dynamics::Amplitude;
 
 use super::cells::CellMatrix;
-use super::{Conduction, ConductionError};
+use super::{Cells, ConductionError};
 
 /// Tables of factors, and which cell has which.
 #[derive(Clone, Debug, Default)]
@@ -40,7 +40,7 @@ fn mean(cell: &CellMatrix, values: &[f64]) -> f64 {
     own.iter().map(|&a| values[a as usize]).sum::<f64>() / own.len() as f64
 }
 
-impl Conduction {
+impl Cells {
     /// The factor by which a cell conducts at temperatures of nodes; beyond the ends of its table, where iterations may come, that of the end.
     pub(super) fn conducts(&self, cell: usize, values: &[f64]) -> f64 {
         let Some(table) = self.tables.of(cell) else { return 1.0 };
@@ -48,7 +48,7 @@ impl Conduction {
     }
 
     /// Refuses cells whose temperature is in no table.
-    pub(super) fn refuse_beyond_tables(&self, values: &[f64]) -> Result<(), ConductionError> {
+    pub(super) fn refuse_other_temperatures(&self, values: &[f64]) -> Result<(), ConductionError> {
         for (cell, own) in self.cells.iter().enumerate() {
             let table = self.tables.of(cell).unwrap_or_default();
             let (Some(first), Some(last)) = (table.first(), table.last()) else { continue };

@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 use crate::common::{disordered_flat, flat, scattered_flat};
 use nalgebra::Rotation3;
 use sph_core::{Cloud, Vec3};
-use sph_shell::{Conduction, ConductionError, Conductor, HeatCourse, Radiation, Temperatures, spread};
+use sph_shell::{
+    Conduction, ConductionError, Conductor, ConductorError, HeatCourse, Radiation, Temperatures, spread,
+};
 
 const LENGTHS: [f64; 2] = [2.0, 1.5];
 
@@ -125,10 +127,10 @@ fn a_surface_that_does_not_conduct_everywhere_is_refused() {
     let cloud = flat([4, 4], LENGTHS);
     let mut conductors = vec![Conductor::isotropic(1.0); cloud.cells.len()];
     conductors[5] = Conductor { tensor: [1.0, 4.0, 2.0], axis: None };
-    assert!(matches!(Conduction::new(&cloud, &conductors), Err(ConductionError::Conductor { cell: 5, .. })));
-    assert!(matches!(Conduction::new(&cloud, &conductors[1..]), Err(ConductionError::Cells { .. })));
+    assert!(matches!(Conduction::new(&cloud, &conductors), Err(ConductorError::Conductor { cell: 5, .. })));
+    assert!(matches!(Conduction::new(&cloud, &conductors[1..]), Err(ConductorError::Cells { .. })));
     conductors[5] = Conductor { axis: Some(Vec3::z()), ..Conductor::isotropic(1.0) };
-    assert!(matches!(Conduction::new(&cloud, &conductors), Err(ConductionError::Space(_))));
+    assert!(matches!(Conduction::new(&cloud, &conductors), Err(ConductorError::Space(_))));
 }
 
 /// A straight fin of length one, root at one, insulated tip: T = cosh m(1 − x)/cosh m; its error and the heat at its root.

@@ -20,6 +20,10 @@ const SPACE: &str = "sph-core";
 /// What joins surfaces that touch: it sees space alone, and models see it.
 const TOUCH: &str = "contact";
 
+/// Heat that runs: it sees time and balance alone, and models see it.
+const HEAT: &str = "heat-conduction";
+const TIME: &str = "explicit-dynamics";
+
 /// The crate that shows files, and the one of ours that it may use.
 const VIEW: &str = "viewer";
 
@@ -84,7 +88,7 @@ fn line(text: &str, name: &str) -> usize {
 pub fn check(packages: &[Package]) -> Vec<Violation> {
     let mut violations = Vec::new();
     for package in packages {
-        if ![GROUND, LEAVES, FILES, MODELS, ABOVE, &[TRUTH, VIEW, TOUCH]]
+        if ![GROUND, LEAVES, FILES, MODELS, ABOVE, &[TRUTH, VIEW, TOUCH, HEAT]]
             .iter()
             .any(|layer| layer.contains(&package.name.as_str()))
         {
@@ -132,11 +136,15 @@ fn forbidden(user: &str, used: &str) -> Option<(String, &'static str)> {
         let repair = "hand over plain arrays; what they mean belongs to the crates above";
         return Some((format!("{user} uses {used}; of ours it may use {SPACE} alone"), repair));
     }
+    if user == HEAT && ![TIME, BALANCE].contains(&used) {
+        let repair = "let the model say what conducts; shapes belong to the crates above";
+        return Some((format!("{user} uses {used}; of ours it may use {TIME} and {BALANCE} alone"), repair));
+    }
     if user == VIEW && !FILES.contains(&used) {
         let repair = "hand over frames and words; what they mean belongs to the crates above";
         return Some((format!("{user} uses {used}; of ours it may use {} alone", FILES[0]), repair));
     }
-    if MODELS.contains(&user) && !LEAVES.contains(&used) && used != TOUCH {
+    if MODELS.contains(&user) && !LEAVES.contains(&used) && ![TOUCH, HEAT].contains(&used) {
         let repair = "let the two meet above both, or move what they share down into a leaf";
         return Some((format!("the model {user} uses {used}, which is no leaf"), repair));
     }

@@ -2,17 +2,20 @@
 
 use std::collections::BTreeMap;
 
+use heat_conduction::Capacity;
 use sph_core::Support;
-use sr_galerkin::{CutCells, Galerkin, GalerkinError, Load, Parts, Supports};
+use sr_galerkin::{Conduction, CutCells, Galerkin, GalerkinError, Load, Parts, Supports};
 
 use super::conditions::{conditions, driven, holds, loads, mirrors};
+use super::conduction::Heated;
 use super::describe::describe;
 use super::parts::{axes, basis, data_until, material, support, volumes, weight};
 use super::places::Places;
 use super::solid::GalerkinSolid;
-use super::warnings::{cut_cells, warnings_of};
+use super::warnings::{cut_cells, hot, warnings_of};
 use super::widened::wide_enough;
 use crate::bodies::body::PrescribedPoint;
+use crate::bodies::conducting::ConductingSolid;
 use crate::bodies::memory::Memory;
 use crate::bodies::memory::check_memory;
 use crate::bodies::probe::Probe;
@@ -24,7 +27,7 @@ use crate::bodies::solid::skin::Skin;
 use crate::bodies::{BuiltBody, Identity, Model, Ready};
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
-use crate::scene::{self, Checked, Measured, SolidMaterial, SolidScene};
+use crate::scene::{self, Analysis, Checked, Measured, SolidMaterial, SolidScene};
 use crate::warning::{Warning, WarningKind};
 
 impl Checked {
@@ -51,6 +54,8 @@ struct GalerkinParts {
     memory: Memory,
     /// By what the support was widened so that nodes determine the basis everywhere.
     widened: f64,
+    /// How it conducts heat, and what it stores by degree; none where nobody asks for it.
+    conduction: Option<(Conduction, Capacity)>,
     /// Its nodes by name of their set.
     sets: BTreeMap<String, Vec<u32>>,
 }
@@ -62,6 +67,12 @@ pub(in crate::bodies) fn galerkin_model(
     options: &scene::Galerkin,
     threads: usize,
 ) -> Result<Model, SceneError> {
+    if matches!(scene.analysis, Analysis::Heat(_)) {
+        let mut parts = galerkin(scene, solid, options, threads)?;
+        let conduction = parts.conduction.take().ok_or_else(|| not_a(scene, "solid with [[heat]]"))?;
+        let ready = |body| Ready::Heat(Box::new(ConductingSolid::new(body, conduction.0, conduction.1)));
+        return Ok(looked_at(scene, (solid, options), parts)?.map(ready).model(scene.scene, threads));
+    }
     let made = galerkin_made(scene, solid, options, threads)?;
     Ok(made.map(|body| Ready::Static(Box::new(body))).model(scene.scene, threads))
 }
@@ -73,14 +84,22 @@ pub(in crate::bodies) fn galerkin_made(
     options: &scene::Galerkin,
     threads: usize,
 ) -> Result<BuiltBody<GalerkinSolid>, SceneError> {
-    let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened, sets } =
-        galerkin(scene, solid, options, threads)?;
-    let cut = cut_cells(scene, &galerkin);
+    looked_at(scene, (solid, options), galerkin(scene, solid, options, threads)?)
+}
+
+/// A Galerkin solid with what is known of it before it runs.
+fn looked_at(
+    scene: &BodyInScene<'_>,
+    (solid, options): (&SolidScene, &scene::Galerkin),
+    parts: GalerkinParts,
+) -> Result<BuiltBody<GalerkinSolid>, SceneError> {
+    let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened, sets, .. } = parts;
+    let doubtful = [cut_cells(scene, &galerkin), hot(&galerkin)];
     let body = GalerkinSolid::new(galerkin, &places, supports, data_until(solid));
     refuse_dof(scene, body.dof())?;
     let mut description = describe(scene, solid, options, (&body, widened), places.block.greatest_spacing());
     let mut warnings = warnings_of(scene, options, places.lattice.lengths, &places.block);
-    warnings.extend(cut);
+    warnings.extend(doubtful.into_iter().flatten());
     let fins = places.skin().and_then(Skin::thin_fins);
     warnings.extend(fins.map(|message| Warning::new(WarningKind::ThinFins, message)));
     description.modelled.extend(places.skin().map(|skin| skin.described.clone()));
@@ -147,15 +166,20 @@ fn galerkin(
         threads: threads.max(1),
     };
     let support = support(solid, options, &places);
-    let (galerkin, widened) = wide_enough(&support, |support| Galerkin::new(parts(support)))
+    let (mut galerkin, widened) = wide_enough(&support, |support| Galerkin::new(parts(support)))
         .map_err(|error| galerkin_refusal(scene, solid, &error))?;
     if widened > 1.0 && options.support.is_some() {
         return Err(too_narrow(scene, options, widened));
     }
     let sought = driven.map(|point| (point.particle, point.direction));
     let supports = read.then(|| Supports::new(&galerkin, &conditions, essential, sought));
+    let heated = Heated { scene, solid, galerkin: &galerkin, places: &places, sets: &sets };
+    let conduction = heated.asked()?;
+    if let Some(strains) = heated.strains(conduction.as_ref().map(|own| &own.0))? {
+        galerkin.warm(strains);
+    }
     let sets = sets.into_members();
-    Ok(GalerkinParts { galerkin, places, probes, driven, supports, memory, widened, sets })
+    Ok(GalerkinParts { galerkin, places, probes, driven, supports, memory, widened, conduction, sets })
 }
 
 /// Refuses a support that was asked for and is too narrow by a factor.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::solid::GalerkinSolid;
 use crate::bodies::{Description, TangentCost};
 use crate::scene::body_in_scene::BodyInScene;
-use crate::scene::{Galerkin, GalerkinLaw, SolidMaterial, SolidScene};
+use crate::scene::{Analysis, Galerkin, GalerkinLaw, SolidMaterial, SolidScene};
 
 /// Bytes of a number.
 const NUMBER: f64 = 8.0;
@@ -21,7 +21,11 @@ pub(super) fn describe(
     spacing: f64,
 ) -> Description {
     let galerkin = body.galerkin();
-    let (mut modelled, left_out) = lists(scene, solid, options, galerkin.dependent_conditions());
+    let (mut modelled, left_out) = if matches!(scene.analysis, Analysis::Heat(_)) {
+        of_heat(scene)
+    } else {
+        lists(scene, solid, options, galerkin.dependent_conditions())
+    };
     if widened > 1.0 {
         modelled.push(format!("a support {widened:.2} times as wide as said: in less, nodes do not determine the basis everywhere"));
     }
@@ -40,6 +44,17 @@ pub(super) fn describe(
         resultants: None,
         tangent: TangentCost::Expensive,
     }
+}
+
+/// What an analysis of heat models of it, and what not.
+fn of_heat(scene: &BodyInScene<'_>) -> (Vec<String>, Vec<String>) {
+    let how = if scene.analysis.kind().passes_time { "in time" } else { "in balance" };
+    let radiates = scene.scene.heat.iter().any(|own| own.radiation.is_some());
+    let left_out = radiates.then(|| "radiation from face to face".to_string());
+    (
+        vec![format!("heat conducted by the shape functions of displacements, {how}")],
+        left_out.into_iter().collect(),
+    )
 }
 
 /// Lines of what is modelled, and of what is not.
@@ -66,6 +81,9 @@ fn lists(
     }
     if options.law != GalerkinLaw::StVenant {
         left_out.push("an elastic energy: the law of increments is meant for strains below 0.2".into());
+    }
+    if scene.loads.iter().any(|load| load.heats()) && !scene.scene.heat.is_empty() {
+        modelled.push("heat conducted by the shape functions of displacements, in balance".into());
     }
     for support in &scene.supports {
         modelled.extend(support.kinds().iter().map(|(word, _)| format!("{word} on {}", support.on)));

@@ -3,6 +3,7 @@
 mod body;
 pub(super) mod build;
 mod conditions;
+mod conduction;
 mod describe;
 mod faces;
 mod fields;

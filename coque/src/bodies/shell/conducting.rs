@@ -2,9 +2,10 @@
 
 use std::io;
 
+use heat_conduction::{ConductionError, HeatBalance};
 use mesh_io::{At, FieldWriter, Values, rows};
 use sph_core::Vec3;
-use sph_shell::{Conduction, ConductionError, HeatCourse, Shell, Temperatures};
+use sph_shell::{Conduction, HeatCourse, Shell, Temperatures};
 
 use crate::bodies::body::{Body, Configuration, Mismatch, StateArray};
 use crate::bodies::ready::ConductingBody;
@@ -42,29 +43,33 @@ impl ConductingShell {
 }
 
 impl ConductingBody for ConductingShell {
-    fn settle(&mut self) -> Result<&Temperatures, ConductionError> {
+    fn settle(&mut self) -> Result<(HeatBalance, usize), ConductionError> {
         self.found = self.conduction.steady()?;
-        Ok(&self.found)
+        Ok((self.found.balance, self.found.iterations))
     }
 
-    fn start(&mut self, temperature: Option<f64>) -> Result<&HeatCourse, ConductionError> {
+    fn start(&mut self, temperature: Option<f64>) -> Result<&heat_conduction::HeatCourse, ConductionError> {
         let values = match temperature {
             Some(own) => vec![own; self.shell.len()],
             None => self.conduction.steady()?.values,
         };
         let course = HeatCourse::new(&self.conduction, &self.capacities, &values)?;
         self.found = course.temperatures().clone();
-        Ok(self.course.insert(course))
+        Ok(self.course.insert(course).course())
     }
 
-    fn advance(&mut self, until: f64, tolerance: f64) -> Result<&HeatCourse, ConductionError> {
+    fn advance(
+        &mut self,
+        until: f64,
+        tolerance: f64,
+    ) -> Result<&heat_conduction::HeatCourse, ConductionError> {
         let mut course = match self.course.take() {
             Some(course) => course,
             None => HeatCourse::new(&self.conduction, &self.capacities, &self.found.values)?,
         };
         course.advance(&self.conduction, until, tolerance)?;
         self.found = course.temperatures().clone();
-        Ok(self.course.insert(course))
+        Ok(self.course.insert(course).course())
     }
 }
 

@@ -3,15 +3,18 @@
 use std::collections::BTreeMap;
 
 use explicit_dynamics::Amplitude;
+use heat_conduction::Capacity;
 use peridynamics::{AppliedLoad, Parts, Solid, SolidError, StaticSolid};
 use sph_core::{Block, BlockLattice};
 
 use super::conditions::{Loads, driver, following, holds, loads, mirrors, probes, set_out, supports};
+use super::conduction::{BondHeat, conduction};
 use super::describe::describe;
 use super::parts::{carrier, contact, cracks, fracture, material, plastic};
 use super::places::{Places, places};
 use super::sets::NodeSets;
 use super::warnings::warnings_of;
+use crate::bodies::conducting::ConductingSolid;
 use crate::bodies::imperfect::{deflection, of_modes};
 use crate::bodies::refusal::{model_error, not_a, refuse_dof, refuse_free_motion};
 use crate::bodies::rigid::free_of;
@@ -43,6 +46,8 @@ struct SolidParts {
     /// Its nodes by name of their set.
     sets: BTreeMap<String, Vec<u32>>,
     places: Places,
+    /// How its bonds conduct heat, and what nodes store by degree; none where nobody asks for it.
+    conduction: Option<(BondHeat, Capacity)>,
 }
 
 /// Builds a solid with what is asked of it.
@@ -51,6 +56,12 @@ pub(in crate::bodies) fn solid_model(
     wanted: &SolidScene,
     threads: usize,
 ) -> Result<Model, SceneError> {
+    if matches!(scene.analysis, Analysis::Heat(_)) {
+        let mut parts = assemble_solid(scene, wanted, threads)?;
+        let (heat, capacity) = parts.conduction.take().ok_or_else(|| not_a(scene, "solid with [[heat]]"))?;
+        let ready = |solid| Ready::Heat(Box::new(ConductingSolid::new(solid, heat, capacity)));
+        return Ok(looked_at(scene, wanted, parts).map(ready).model(scene.scene, threads));
+    }
     let ready = |solid| match scene.analysis {
         Analysis::Explicit(_) => Ready::Dynamic(Box::new(solid)),
         _ => Ready::Static(Box::new(StaticSolid::new(solid))),
@@ -65,17 +76,22 @@ pub(in crate::bodies) fn solid_made(
     threads: usize,
     wet: bool,
 ) -> Result<BuiltBody<Solid>, SceneError> {
-    let SolidParts { mut solid, probes, driven, memory, sets, places } =
-        assemble_solid(scene, wanted, threads)?;
+    let mut parts = assemble_solid(scene, wanted, threads)?;
     if wet {
-        solid.wet().map_err(|error| solid_refusal(scene, wanted, &error))?;
+        parts.solid.wet().map_err(|error| solid_refusal(scene, wanted, &error))?;
     }
+    Ok(looked_at(scene, wanted, parts))
+}
+
+/// A solid with what is known of it before it runs.
+fn looked_at(scene: &BodyInScene<'_>, wanted: &SolidScene, parts: SolidParts) -> BuiltBody<Solid> {
+    let SolidParts { solid, probes, driven, memory, sets, places, .. } = parts;
     let mut description = describe(scene, wanted, &solid);
     let warnings = warnings_of(scene, wanted, &solid, (&places, &sets));
     let identity = places.skin.as_ref().map_or_else(Identity::default, |skin| skin.identity.clone());
     description.modelled.extend(places.skin.map(|skin| skin.described));
     let judge = None;
-    Ok(BuiltBody { body: solid, description, memory, identity, probes, driven, warnings, judge, sets })
+    BuiltBody { body: solid, description, memory, identity, probes, driven, warnings, judge, sets }
 }
 
 fn assemble_solid(
@@ -126,8 +142,9 @@ fn assemble_solid(
     set_out(wanted, &mut solid);
     refuse_dof(scene, solid.dof())?;
     refuse_pieces(scene, wanted, &solid)?;
+    let conduction = conduction(scene, wanted, &solid, &sets)?;
     let sets = sets.into_members();
-    Ok(SolidParts { solid, probes, driven, memory, sets, places })
+    Ok(SolidParts { solid, probes, driven, memory, sets, places, conduction })
 }
 
 /// The block with the imperfection put in.
@@ -202,6 +219,7 @@ fn solid_refusal(scene: &BodyInScene<'_>, wanted: &SolidScene, error: &SolidErro
         SolidError::Crack { number, .. } => of_body(&format!("cracks[{number}]")),
         SolidError::NotThin | SolidError::WetSheets | SolidError::NotShared(_) => of_body(&formulation),
         SolidError::SheetContact | SolidError::MirroredContact => of_body("contact"),
+        SolidError::Conduction => "heat".into(),
         SolidError::Mirror { .. } => "supports".into(),
     };
     model_error(scene.source, &path, &error.to_string())

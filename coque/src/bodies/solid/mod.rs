@@ -4,6 +4,7 @@ mod bending;
 mod body;
 pub(super) mod build;
 pub(super) mod conditions;
+mod conduction;
 mod describe;
 mod ends;
 pub(super) mod fields;

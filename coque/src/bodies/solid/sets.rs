@@ -105,6 +105,11 @@ impl<'a> NodeSets<'a> {
         number.map_or(&[], |number| &self.block.faces[number])
     }
 
+    /// The nodes on all faces with their shares of the area \[L²\].
+    pub fn outside(&self) -> impl Iterator<Item = (u32, f64)> {
+        self.block.faces[..2 * self.block.dimensions].iter().flatten().copied()
+    }
+
     /// The part of the surface that the nodes fill, by the name of a set; none of a block.
     pub fn facets(&self, name: &str, nodes: &[u32], planes: &[(usize, f64)]) -> Option<Vec<Facet>> {
         self.skin.map(|skin| skin.facets(name, nodes, planes))

@@ -4,6 +4,7 @@ use explicit_dynamics::Amplitude;
 
 use super::amplitude::check_amplitude;
 use super::sets::check_set_name;
+use super::solid::check_conduction_of_solid;
 use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
@@ -23,7 +24,7 @@ pub(super) fn check_heat_alone(scene: &Scene) -> Verdict {
         return Ok(());
     }
     let (path, value) = if scene.heat.is_empty() { ("analysis.heat", "heat") } else { ("heat", "heat") };
-    let bound = "none among several bodies or with tools: a shell alone conducts it";
+    let bound = "none among several bodies or with tools: one shell or one solid alone conducts it";
     Err(SceneError::Choice(scene.scope().fault(path, value, bound, "remove it, or the other bodies")))
 }
 
@@ -46,9 +47,13 @@ pub(super) fn check_conduction(scene: &BodyInScene<'_>) -> Verdict {
         return refuse("heat", "heat", bound, repair);
     }
     let path = asked.map_or("analysis.heat".to_string(), |load| load.at("temperature.conducted"));
+    if let Some(solid) = scene.as_solid() {
+        check_given(scene, starts)?;
+        return check_conduction_of_solid(scene, solid, transient.is_some());
+    }
     let Some(shell) = scene.as_shell() else {
-        let bound = format!("none on a {}: shells alone conduct heat", scene.body.word());
-        return refuse(&path, "heat", &bound, "remove it, or model the body as a shell");
+        let bound = format!("none on a {}: shells and solids conduct heat", scene.body.word());
+        return refuse(&path, "heat", &bound, "remove it, or model the body as a shell or a solid");
     };
     if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
         let bound = "none but where gradients are sampled in cells";
@@ -58,14 +63,24 @@ pub(super) fn check_conduction(scene: &BodyInScene<'_>) -> Verdict {
         let bound = "none across ties, which hand on no heat";
         return refuse(&path, "heat", bound, "let the sheets share particles, or leave one of them out");
     }
+    check_given(scene, starts)?;
+    if let Some(i) = heat.iter().position(|own| own.source.is_some()) {
+        let repair = "use `flux`, the source times the thickness";
+        return refuse(&format!("heat[{i}].source"), "a source by volume", "none of a shell", repair);
+    }
+    check_conductivities(shell, &scene.body_scope(), transient.is_some())?;
+    if analysed { check_without_mechanics(scene, shell) } else { Ok(()) }
+}
+
+/// Refuses a list of heat that is empty or tells no temperature, and what is out of bounds in it.
+fn check_given(scene: &BodyInScene<'_>, starts: bool) -> Verdict {
+    let (s, heat) = (&scene.scope(), &scene.scene.heat);
     if heat.is_empty() {
-        let repair = "add [[heat]] with what holds the temperature, such as on = \"u0\", held = 100.0";
-        return Err(SceneError::Missing(s.fault(
-            "heat",
-            "nothing",
-            "what holds and heats the shell",
-            repair,
-        )));
+        let edge = if scene.as_solid().is_some() { "x0" } else { "u0" };
+        let repair =
+            format!("add [[heat]] with what holds the temperature, such as on = \"{edge}\", held = 100.0");
+        let bound = format!("what holds and heats the {}", scene.body.word());
+        return Err(SceneError::Missing(s.fault("heat", "nothing", &bound, &repair)));
     }
     for (i, own) in heat.iter().enumerate() {
         check_kind(scene, own, &format!("heat[{i}]"))?;
@@ -74,10 +89,9 @@ pub(super) fn check_conduction(scene: &BodyInScene<'_>) -> Verdict {
     if !starts && !heat.iter().any(HeatScene::tells) {
         let bound = "something that tells the temperature: any level of it would do beside heat alone";
         let repair = "hold a set by `held`, or give faces a `film` or `radiation`";
-        return refuse("heat", "given heat alone", bound, repair);
+        return Err(SceneError::Choice(s.fault("heat", "given heat alone", bound, repair)));
     }
-    check_conductivities(shell, &scene.body_scope(), transient.is_some())?;
-    if analysed { check_without_mechanics(scene, shell) } else { Ok(()) }
+    Ok(())
 }
 
 /// How temperatures go in time, where they do.
@@ -122,9 +136,13 @@ fn check_kind(scene: &BodyInScene<'_>, own: &HeatScene, at: &str) -> Verdict {
     let s = &scene.scope();
     s.exactly_one(at, "kind", &own.given(), &HeatScene::WORDS)?;
     check_set_name(scene, &format!("{at}.on"), &own.on)?;
-    for (key, number) in
-        [("held", own.held), ("flow", own.flow), ("flux", own.flux), ("edge_flux", own.edge_flux)]
-    {
+    for (key, number) in [
+        ("held", own.held),
+        ("flow", own.flow),
+        ("flux", own.flux),
+        ("edge_flux", own.edge_flux),
+        ("source", own.source),
+    ] {
         s.sized(&format!("{at}.{key}"), number.unwrap_or_default())?;
     }
     if let Some(film) = &own.film {
@@ -194,7 +212,12 @@ fn check_without_mechanics(scene: &BodyInScene<'_>, shell: &ShellScene) -> Verdi
         ("velocity", shell.velocity.is_none()),
         ("output.fields", !fields.is_some_and(Fields::shows_stresses)),
     ];
-    let Some((key, _)) = found.into_iter().find(|(_, none)| !none) else { return Ok(()) };
+    let found = found.into_iter().find(|(_, none)| !none);
+    found.map_or(Ok(()), |(key, _)| refuse_mechanics(scene, key))
+}
+
+/// Refuses a key of mechanics in a heat analysis.
+pub(super) fn refuse_mechanics(scene: &BodyInScene<'_>, key: &str) -> Verdict {
     if key == "output.fields" {
         let bound = "`every` and `extruded` alone in a heat analysis, in which nothing is strained: temperatures and where heat runs are always in the files";
         let (value, repair) = (

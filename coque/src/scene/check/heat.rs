@@ -1,6 +1,7 @@
 //! Checks of changes of temperature: what is heated, and in which analyses.
 
 use super::shell::check_tabled_load;
+use super::solid::check_temperature_of_solid;
 use crate::scene::analysis::{Analysis, Explicit};
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::curve::Measured;
@@ -18,10 +19,14 @@ pub(super) fn check_temperature(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>)
         Err(SceneError::Choice(s.fault(path, value, bound, repair)))
     };
     let heat = "a `temperature`";
-    let Some(shell) = scene.as_shell() else {
-        let bound = format!("none on a {}: shells alone expand", scene.body.word());
-        return refuse(&at, heat, &bound, "remove it, or model the body as a shell");
-    };
+    let galerkin = scene.as_solid().and_then(|solid| Some((solid, solid.galerkin()?)));
+    if scene.as_shell().is_none() && galerkin.is_none() {
+        let bound = match scene.as_solid() {
+            Some(_) => "none on a solid of bonds: shells and Galerkin solids expand".to_string(),
+            None => format!("none on a {}: shells and Galerkin solids expand", scene.body.word()),
+        };
+        return refuse(&at, heat, &bound, "remove it, or model the body as a shell or a Galerkin solid");
+    }
     if conducted.is_some() && (change.is_some() || difference.is_some() || values.is_some()) {
         let repair = "give the numbers to a load of their own: changes of one cell add up";
         let bound = "none beside `conducted`, which finds them";
@@ -43,6 +48,10 @@ pub(super) fn check_temperature(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>)
     }
     s.sized(&format!("{at}.change"), change.unwrap_or_default())?;
     s.sized(&format!("{at}.difference"), difference.unwrap_or_default())?;
+    if let Some((solid, _)) = galerkin {
+        return check_temperature_of_solid(scene, load, solid);
+    }
+    let Some(shell) = scene.as_shell() else { return Ok(()) };
     if scene.in_fluid {
         return refuse(&at, heat, "none of a shell in a fluid", "remove it, or the fluid");
     }

@@ -103,11 +103,11 @@ pub struct Elastic {
     pub poisson: f64,
     /// Mass per volume \[F T²/L⁴\].
     pub density: Positive,
-    /// Coefficient of thermal expansion of a shell that is heated, by any unit Θ of temperature \[1/Θ\].
+    /// Coefficient of thermal expansion of a shell or a Galerkin solid that is heated, by any unit Θ of temperature \[1/Θ\].
     pub expansion: Option<f64>,
-    /// Conductivity of a shell along which heat runs, by any unit Θ of temperature \[F/(T Θ)\].
+    /// Conductivity of a body through which heat runs, by any unit Θ of temperature \[F/(T Θ)\].
     pub conductivity: Option<Positive>,
-    /// Heat that a mass takes up by degree, of a shell that warms in time \[L²/(T² Θ)\].
+    /// Heat that a mass takes up by degree, of a body that warms in time \[L²/(T² Θ)\].
     #[serde(rename = "specific_heat")]
     pub specific_heat: Option<Positive>,
     /// How its numbers go with the temperature, of a shell that is heated.

@@ -32,6 +32,11 @@ pub struct OrthotropicSolid {
     pub shear: [Positive; 3],
     /// Density \[F T²/L⁴\].
     pub density: Positive,
+    /// Conductivities along the three material axes, by any unit Θ of temperature \[F/(T Θ)\].
+    pub conductivity: Option<[Positive; 3]>,
+    /// Heat that a mass takes up by degree, of a solid that warms in time \[L²/(T² Θ)\].
+    #[serde(rename = "specific_heat")]
+    pub specific_heat: Option<Positive>,
     /// First and second material axis, perpendicular; their length does not matter. Left out, x and y.
     pub axes: Option<[[f64; 3]; 2]>,
 }
@@ -60,6 +65,25 @@ impl SolidMaterial {
             Self::Elastic(elastic) => Some(elastic),
             Self::Orthotropic(_) | Self::Plastic(_) => None,
         }
+    }
+
+    /// Conductivities along the material axes, if they are known \[F/(T Θ)\].
+    pub(crate) fn conductivity(&self) -> Option<[f64; 3]> {
+        match self {
+            Self::Elastic(elastic) => elastic.conductivity.map(|k| [k.get(); 3]),
+            Self::Orthotropic(orthotropic) => orthotropic.conductivity.map(|all| all.map(Positive::get)),
+            Self::Plastic(_) => None,
+        }
+    }
+
+    /// Heat that it stores by volume and degree, if that is known \[F/(L² Θ)\].
+    pub(crate) fn heat_by_volume(&self) -> Option<f64> {
+        let specific = match self {
+            Self::Elastic(elastic) => elastic.specific_heat,
+            Self::Orthotropic(orthotropic) => orthotropic.specific_heat,
+            Self::Plastic(_) => None,
+        };
+        specific.map(|own| own.get() * self.density())
     }
 
     /// Its word.

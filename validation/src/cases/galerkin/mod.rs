@@ -4,6 +4,7 @@ mod bricks;
 mod cantilever;
 mod column;
 mod hollow_ball;
+mod hot_tube;
 mod nodes;
 mod one_solve;
 mod plates;
@@ -34,6 +35,7 @@ pub fn all() -> Vec<Case> {
         speed::case(),
         thick_tube::case(),
         hollow_ball::case(),
+        hot_tube::case(),
         finer::stub_solid(INCREMENTS),
         finer::pressed_pad(INCREMENTS),
     ]

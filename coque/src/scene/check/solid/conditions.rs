@@ -110,6 +110,8 @@ pub(in super::super) fn check_solid_load(
                 let fault = s.fault(&format!("{at}.pressure"), value, bound, repair);
                 return Err(SceneError::Choice(fault));
             }
+            // Checked with those of shells.
+            LoadKind::Temperature(_) if solid.galerkin().is_some() => {}
             LoadKind::Couple(_) | LoadKind::Gas(_) | LoadKind::Volume(_) | LoadKind::Temperature(_) => {
                 let bound = "`force`, `traction`, `pressure` or `gravity` on a solid";
                 let repair = "use traction = { value = […] } on a face: dead force by area";
@@ -179,4 +181,18 @@ pub(in super::super) fn check_face(scene: &BodyInScene<'_>, load: &OnSet<'_, Loa
     }
     let faces = &built_in(scene.body)[1..];
     only_on(scene, load, &format!("a {word} acts on a face of the block"), faces)
+}
+
+/// Heat that enters by area enters a face of the block, a declared part of one, or a part of a surface that is known when its file has been read.
+pub(super) fn check_face_of_heat(scene: &BodyInScene<'_>, path: &str, on: &str) -> Verdict {
+    let filled = scene.as_solid().is_some_and(|solid| solid.geometry.filled.is_some());
+    let faces = &built_in(scene.body)[1..];
+    let parts = scene.as_solid().is_some_and(|solid| solid.galerkin().is_some());
+    if filled || on == "all" || faces.contains(&on) || parts && scene.sets.contains_key(on) {
+        return Ok(());
+    }
+    let of_parts = if parts { ", or a declared set that holds a part of one" } else { "" };
+    let bound = format!("but heat by area enters a face, {}{of_parts}", faces.join(", "));
+    let repair = "heat by area enters a face; use `flow` on other nodes, or `source` by volume";
+    Err(SceneError::Set(scene.scope().fault(path, &format!("\"{on}\""), &bound, repair)))
 }

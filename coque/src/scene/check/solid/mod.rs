@@ -3,10 +3,12 @@
 mod conditions;
 mod galerkin;
 mod geometry;
+mod heat;
 mod material;
 mod yielding;
 
 pub(super) use self::conditions::{check_face, check_solid_load, check_solid_support, check_traction};
+pub(super) use self::heat::{check_conduction_of_solid, check_temperature_of_solid};
 use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::check::sets::check_set_name;
@@ -25,10 +27,14 @@ impl SolidScene {
             let repair = "remove it, or divide the solid into parts";
             return Err(SceneError::Choice(s.fault("material.elastic.young-values", value, bound, repair)));
         }
-        if self.material.elastic().is_some_and(|elastic| elastic.expansion.is_some()) {
-            let (value, bound) = ("a coefficient of expansion", "none of a solid: shells alone are heated");
-            let fault = s.fault("material.elastic.expansion", value, bound, "remove it");
-            return Err(SceneError::Choice(fault));
+        if let Some(expansion) = self.material.elastic().and_then(|elastic| elastic.expansion) {
+            s.sized("material.elastic.expansion", expansion)?;
+            if self.galerkin().is_none() {
+                let value = "a coefficient of expansion";
+                let bound = "none of bonds: shells and Galerkin solids are heated";
+                let repair = "remove it, or use [bodies.NAME.solid.formulation.galerkin]";
+                return Err(SceneError::Choice(s.fault("material.elastic.expansion", value, bound, repair)));
+            }
         }
         if self.material.elastic().is_some_and(|elastic| elastic.by_temperature.is_some()) {
             let (value, bound) = ("numbers by temperature", "none of a solid: shells alone are heated");

@@ -1,26 +1,27 @@
-//! What is given to the nodes of a surface: always, or by a course in time.
+//! What is given to nodes, parameters and places: always, or by a course in time.
 
-use super::{Conduction, Radiation};
+use super::{Conduction, Conducts, Radiation};
 
-/// What holds the nodes and gives them heat at some time.
+/// What holds nodes and gives heat at some time.
 #[derive(Clone, Debug)]
 pub(super) struct Given {
+    /// By node \[Θ\].
     pub held: Vec<Option<f64>>,
-    /// Heat that is supplied to each node \[F L/T\].
+    /// Heat that is supplied to each parameter \[F L/T\].
     pub supplied: Vec<f64>,
-    /// Film coefficient times area of each node \[F L/(T Θ)\], and the same times the ambient temperature \[F L/T\].
+    /// Film coefficient times area of each place \[F L/(T Θ)\], and the same times the ambient temperature \[F L/T\].
     pub film: Vec<[f64; 2]>,
-    /// Nodes that radiate, with the factor times the area.
+    /// Places that radiate, with the factor times the area.
     pub radiating: Vec<(u32, Radiation)>,
 }
 
 impl Given {
-    /// Nothing on so many nodes.
-    pub fn none(count: usize) -> Self {
+    /// Nothing on so many parameters and places.
+    pub fn none(parameters: usize, places: usize) -> Self {
         Self {
-            held: vec![None; count],
-            supplied: vec![0.0; count],
-            film: vec![[0.0; 2]; count],
+            held: vec![None; parameters],
+            supplied: vec![0.0; parameters],
+            film: vec![[0.0; 2]; places],
             radiating: Vec::new(),
         }
     }
@@ -35,7 +36,7 @@ pub(super) enum What {
     Supplied,
     /// Coefficient times area times the ambient temperature \[F L/T\].
     Film,
-    /// Temperature of what surrounds a node that radiates, by its number \[Θ\].
+    /// Temperature of what surrounds a place that radiates, by its number \[Θ\].
     Surroundings(usize),
 }
 
@@ -43,18 +44,19 @@ pub(super) enum What {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Changing {
     pub course: usize,
-    pub node: u32,
+    /// Node, parameter or place.
+    pub at: u32,
     pub number: f64,
     pub what: What,
 }
 
-impl Conduction {
+impl<C: Conducts> Conduction<C> {
     /// What is given at a time \[T\].
     pub(super) fn given_at(&self, time: f64) -> Given {
         let mut given = self.given.clone();
         let factors: Vec<f64> = self.courses.iter().map(|course| course.value(time)).collect();
         for own in &self.changing {
-            let (a, number) = (own.node as usize, factors[own.course] * own.number);
+            let (a, number) = (own.at as usize, factors[own.course] * own.number);
             match own.what {
                 What::Held => given.held[a] = Some(number),
                 What::Supplied => given.supplied[a] += number,
