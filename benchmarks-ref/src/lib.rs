@@ -17,8 +17,10 @@
 //! - [`fluid_structure`]: a gate, plates, a bar, a wedge, in experiments and published simulations;
 //! - [`fluid_structure_forms`]: strips and rings, dry and in a fluid, in closed form;
 //! - [`floating_box`]: a box that swings in the water of a tank, by linear potential flow;
+//! - [`box_in_waves`]: a box that floats in waves or is let go, by linear potential flow without ends;
 //! - [`hinged_box`]: a box under water that swings about a hinge, by potential flow;
 //! - [`wedge_entry`]: a wedge that enters water at constant speed, by similarity flow;
+//! - [`wedge_on_spring`]: one on a spring, by momentum;
 //! - [`fe_shell`]: an independent implicit finite-element shell;
 //! - [`fe_solid`]: bricks of twenty nodes.
 //!
@@ -119,8 +121,10 @@
 //! | a plate with a bar along its middle buckles a little below what two terms of a series say | `two_terms_of_a_series_lie_a_little_above`, `a_plate_without_a_bar_is_that_of_bryan` (src/stiffened_plate.rs) |
 //! | plates that shear are those of the tables where they are thin, and add the deflection of shear | `a_thin_plate_is_that_of_the_tables`, `shear_adds_its_own_deflection` (src/sheared_plate.rs) |
 //! | a box on a hinge: added mass of a square, order of its corners | `on_a_long_arm_it_has_the_added_mass_of_a_square`, `it_converges_with_the_order_of_the_corner` (src/hinged_box.rs) |
-//! | a wedge that enters water: its surface closes and no water is lost; Wagner's force of low ones | `the_surface_closes_and_no_water_is_lost`, `low_wedges_go_to_wagners_force` (src/wedge_entry.rs) |
+//! | a wedge that enters water: its surface closes and no water is lost; Wagner's force of low ones | `the_surface_closes_and_no_water_is_lost`, `low_wedges_go_to_wagners_force_and_half_of_it_as_added_mass`, `a_flat_plate_has_its_added_mass` (src/wedge_entry.rs) |
+//! | a wedge on a spring: a swing without water, momentum without a spring | `without_water_it_swings`, `without_a_spring_its_momentum_goes_to_the_water`, `water_that_does_not_pull_leaves_it_to_its_spring` (src/wedge_on_spring.rs) |
 //! | a floating box: half of the added mass of a square, order of its corners, energy | `a_fast_box_has_half_of_the_added_mass_of_a_square`, `times_converge_with_the_order_of_the_corner`, `energy_is_kept` (src/floating_box.rs) |
+//! | a box in waves: Haskind's relation, energy, reciprocity, long waves, convergence, finite volumes | `waves_carry_what_damping_takes_and_push_by_haskinds_relation`, `masses_are_reciprocal_and_moments_go_with_the_centre`, `in_long_waves_it_goes_with_the_water`, `terms_converge`, `it_heaves_as_by_finite_volumes` (src/box_in_waves/mod.rs) |
 //! | an added mass is the energy of its fluid | `the_added_mass_is_the_energy_of_the_fluid` |
 //! | plates buckle and bend by their closed forms | `the_plate_buckles_by_its_closed_forms`, `thin_square_plates_are_those_of_the_tables` |
 //! | elements: forces and tangent are slopes of the energy; six zero modes; rigid motion free | `forces_are_the_slope_of_the_energy_and_the_tangent_the_slope_of_the_forces`, `a_free_patch_has_six_zero_modes_and_no_more`, `a_rigid_motion_of_any_size_meets_no_force` (tests/fe_shell_element.rs) |
@@ -131,6 +135,7 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+pub mod box_in_waves;
 pub mod catalogue;
 pub mod curve;
 pub mod elastica;
@@ -154,6 +159,7 @@ pub mod touching;
 pub mod vibration;
 pub mod waves;
 pub mod wedge_entry;
+pub mod wedge_on_spring;
 
 mod elliptic;
 mod error;

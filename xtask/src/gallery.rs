@@ -18,8 +18,9 @@ pub struct Options {
 }
 
 /// Scenes in the plane, seen straight.
-const PLANE: [&str; 14] = [
+const PLANE: [&str; 15] = [
     "baffle",
+    "box-in-waves",
     "channel-with-inflow",
     "crack-branching",
     "dam-break",

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 121] = [
+const EXAMPLES: [Example; 122] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -45,6 +45,7 @@ const EXAMPLES: [Example; 121] = [
     Example::new("bar-bonds-yielding", 0.5, include_str!("../../../scenes/bar-bonds-yielding.toml")),
     Example::new("block-on-flat", 0.1, include_str!("../../../scenes/block-on-flat.toml")),
     Example::new("block-on-incline", 0.1, include_str!("../../../scenes/block-on-incline.toml")),
+    Example::new("box-in-waves", 15.0, include_str!("../../../scenes/box-in-waves.toml")),
     Example::new("cantilever-end-shear", 38.0, include_str!("../../../scenes/cantilever-end-shear.toml")),
     Example::new("cantilever-shaken", 1.0, include_str!("../../../scenes/cantilever-shaken.toml")),
     Example::new("cantilever-on-flat", 1.0, include_str!("../../../scenes/cantilever-on-flat.toml")),

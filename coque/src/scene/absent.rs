@@ -153,6 +153,14 @@ const ROWS: &[Row] = &[
         },
     ),
     (
+        &["rotated", "rotation", "orientation", "heel", "tilt", "angle"],
+        &["box"],
+        NotYet {
+            feature: "boxes that stand askew",
+            nearest: "of a rigid body a closed surface from a file, `geometry.mesh`, or a couple that heels it and is taken away, [[loads]] with `couple` and an `amplitude`",
+        },
+    ),
+    (
         &["inflow", "inlet", "outflow", "outlet"],
         &[],
         Instead(
@@ -339,6 +347,7 @@ mod tests {
             "supports" => ("ring.toml", "supports[0]."),
             "loads" => ("ring.toml", "loads[0]."),
             "quasi-static" => ("ring.toml", "analysis.explicit.quasi-static."),
+            "box" => ("floating-box.toml", "bodies.float.rigid.geometry.box."),
             "fluid" => ("dam-break.toml", "bodies.water.fluid."),
             "liquid" => ("dam-break.toml", "bodies.water.fluid.material.liquid."),
             _ => return None,

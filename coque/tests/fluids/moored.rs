@@ -52,3 +52,12 @@ fn two_cables_keep_a_box_from_drifting() {
     let short = ("analysis.explicit.transient.duration", "0.05");
     stopped_again_and_again("moored", AFLOAT, &[drifts, ("links", links), short], 2);
 }
+
+#[test]
+fn forces_of_links_and_joints_that_are_not_there_are_refused_with_their_key() {
+    for (of, key) in [("link-force", "[[links]]"), ("joint-force", "[[joints]]")] {
+        let curve = format!("[{{ name = 'f', of = '{of}', on = 'float.all', direction = [1, 0, 0] }}]");
+        let error = overridden(AFLOAT, "afloat.toml", &[("curve", &curve), ("output", "{}")]).unwrap_err();
+        assert!(error.fault().repair.contains(key), "{error}");
+    }
+}

@@ -51,7 +51,14 @@ fn check_measured(scene: &BodyInScene<'_>, probe: &OnSet<'_, Probe>) -> Verdict 
             BodyScene::Rigid(_) => "a rigid body has",
         };
         let bound = format!("what {body}: {}", known.join(", "));
-        return refuse("of", &format!("\"{word}\""), &bound, "measure one of these");
+        let repair = match probe.of {
+            Measured::LinkForce => "measure one of these, or add the [[links]] that hold it",
+            Measured::JointForce | Measured::JointMoment if scene.as_rigid().is_some() => {
+                "measure one of these, or add the [[joints]] that hold it"
+            }
+            _ => "measure one of these",
+        };
+        return refuse("of", &format!("\"{word}\""), &bound, repair);
     }
     let walls = matches!(scene.body, BodyScene::Walls(_));
     if walls && matches!(probe.of, Measured::Force | Measured::Moment) && scene.sets.contains_key(probe.on) {

@@ -2,6 +2,7 @@
 //! here, and one in the list.
 
 mod baffle;
+mod box_in_waves;
 mod clamped_strip;
 pub mod column;
 mod floating_box;
@@ -12,7 +13,9 @@ pub mod measure;
 mod paddle_on_hinge;
 mod plate;
 mod plate_in_water;
+mod regular_waves;
 mod ring;
+mod rolling_box;
 mod scenes;
 mod source_settings;
 mod sprung_floor;
@@ -21,6 +24,7 @@ mod turek_hron;
 mod wave_flume;
 mod wedge;
 mod wedge_entry;
+mod wedge_on_spring;
 
 use super::finer;
 use crate::Case;
@@ -45,8 +49,11 @@ pub fn all() -> Vec<Case> {
         floating_box::case(),
         paddle_on_hinge::case(),
         wedge_entry::case(),
+        wedge_on_spring::case(),
         wave_flume::case(),
         irregular_waves::case(),
+        box_in_waves::case(),
+        rolling_box::case(),
         finer::leaning_wall(measure::SHELL),
     ]
 }

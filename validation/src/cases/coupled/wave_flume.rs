@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::measure::line;
+use super::regular_waves::{Complex, RegularWaves};
 use crate::judge::{Case, Headline, Run, Variant};
 use crate::support::fluids::KICKS;
 use crate::support::misses::{Miss, between};
@@ -15,11 +15,10 @@ const INCIDENT: &str = "height 1.2 m from the wall";
 const BACK: &str = "height of what the beach sends back";
 const PERIOD: &str = "period";
 const LENGTH: &str = "length";
-/// Height asked of the wall \[m\], period \[s\], depth \[m\], gravity \[m/s²\], places of the two gauges \[m\].
+/// Height asked of the wall \[m\], period \[s\], depth \[m\], places of the two gauges \[m\].
 const ASKED: f64 = 0.04;
 const TIME: f64 = 1.0;
 const DEPTH: f64 = 0.3;
-const GRAVITY: f64 = 9.81;
 const GAUGES: [f64; 2] = [1.0, 1.4];
 /// Gauges every decimetre, from where the waves have the shape of travelling ones: what else a wall makes falls to a hundredth in .5 m.
 const ALL: std::ops::RangeInclusive<u32> = 6..=21;
@@ -27,8 +26,7 @@ const ALL: std::ops::RangeInclusive<u32> = 6..=21;
 const APART: usize = 4;
 /// From when on waves are regular, and how many periods are measured: the wall grows for two periods, groups take 1.6 s to the farther gauge, 4.3 s more to the end
 /// of the flume. Over single periods heights swing by 1 % and more, which leaves .3 % of four.
-const FROM: f64 = 6.0;
-const PERIODS: f64 = 4.0;
+const WAVES: RegularWaves = RegularWaves { period: TIME, depth: DEPTH, from: 6.0, periods: 4.0 };
 const DURATION: &str = "10.0";
 /// What the piston is known to miss: −3.1 % of 40 mm.
 const MISSED: Miss = Miss {
@@ -66,73 +64,6 @@ pub fn case() -> Case {
     }
 }
 
-/// A number of the complex plane, by its parts.
-type Complex = [f64; 2];
-
-/// Length of waves by linear theory, `ω² = g k tanh kd`, by halving \[m\].
-fn length() -> f64 {
-    let wanted = (TAU / TIME) * (TAU / TIME) * DEPTH / GRAVITY;
-    let (mut low, mut high) = (1e-3, 50.0);
-    for _ in 0..100 {
-        let middle = 0.5 * (low + high);
-        if middle * libm::tanh(middle) > wanted {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    TAU * DEPTH / low
-}
-
-/// The first harmonic of a gauge over whole periods, `2/n Σ 2 h exp(iωt)`: its size is the height from trough to crest, its phase how late the wave is.
-fn harmonic(time: &[f64], level: &[f64]) -> Option<Complex> {
-    let inside = |t: f64| t > FROM - 1e-9 && t < FROM + PERIODS * TIME - 1e-9;
-    let kept: Vec<[f64; 2]> =
-        time.iter().zip(level).filter(|(t, _)| inside(**t)).map(|(t, h)| [*t, *h]).collect();
-    if kept.is_empty() {
-        return None;
-    }
-    let part = |of: &dyn Fn(f64) -> f64| {
-        4.0 / kept.len() as f64 * kept.iter().map(|[t, h]| h * of(TAU * t / TIME)).sum::<f64>()
-    };
-    Some([part(&libm::cos), part(&libm::sin)])
-}
-
-/// Heights of the waves that go along x and of those that come back, `h = a exp(ikx) + b exp(−ikx)` at both gauges.
-fn separated(places: [f64; 2], gauges: [Complex; 2]) -> [f64; 2] {
-    let number = TAU / length();
-    let turned = |[x, y]: Complex, angle: f64| {
-        let (sin, cos) = libm::sincos(angle);
-        [x * cos - y * sin, x * sin + y * cos]
-    };
-    let [near, far] = places.map(|x| number * x);
-    let height = |sign: f64| {
-        // a = (h₀ exp(−ikx₁) − h₁ exp(−ikx₀))/(2i sin k(x₀ − x₁)), b with the other sign of k.
-        let ([a, b], [c, d]) = (turned(gauges[0], -sign * far), turned(gauges[1], -sign * near));
-        libm::hypot(a - c, b - d) / (2.0 * libm::sin(far - near).abs())
-    };
-    [height(1.0), height(-1.0)]
-}
-
-/// Height at the wall \[m\] and the rate at which it falls along the flume \[1/m\], by a straight line through the logarithms of the heights that
-/// pairs of gauges separate, over the middles of the pairs.
-fn course(run: &Run) -> Result<Option<[f64; 2]>, JudgeError> {
-    let time = run.column("time")?;
-    let waves: Result<Vec<_>, JudgeError> =
-        ALL.map(|place| Ok((0.1 * f64::from(place), harmonic(&time, &run.column(&gauge(place))?)))).collect();
-    let waves = waves?;
-    let pairs = waves.iter().zip(waves.iter().skip(APART));
-    let heights: Option<Vec<[f64; 2]>> = pairs
-        .map(|(&(near, one), &(far, other))| {
-            Some([0.5 * (near + far), libm::log(separated([near, far], [one?, other?])[0])])
-        })
-        .collect();
-    Ok(heights.map(|heights| {
-        let [start, slope] = line(&heights);
-        [libm::exp(start), -slope]
-    }))
-}
-
 /// Name of the gauge so many decimetres from the wall.
 fn gauge(place: u32) -> String {
     match place {
@@ -154,7 +85,7 @@ fn gauges() -> String {
 /// Mean time between crossings of the mean upwards.
 fn period(time: &[f64], level: &[f64]) -> Option<f64> {
     let kept: Vec<[f64; 2]> =
-        time.iter().zip(level).filter(|(t, _)| **t > FROM - 1e-9).map(|(t, h)| [*t, *h]).collect();
+        time.iter().zip(level).filter(|(t, _)| **t > WAVES.from - 1e-9).map(|(t, h)| [*t, *h]).collect();
     let mean = kept.iter().map(|[_, h]| h).sum::<f64>() / kept.len() as f64;
     let up = |pair: &[[f64; 2]]| {
         let [[t, x], [u, y]] = [pair[0], pair[1]];
@@ -167,8 +98,9 @@ fn period(time: &[f64], level: &[f64]) -> Option<f64> {
 
 fn judged(run: &Run, missed: Option<Miss>) -> Result<Vec<Metric>, JudgeError> {
     let (time, far, near) = (run.column("time")?, run.column("h")?, run.column("h_before")?);
-    let [near_wave, far_wave] = [&near, &far].map(|level| harmonic(&time, level).filter(|_| run.done()));
-    let waves = near_wave.zip(far_wave).map(|(near, far)| separated(GAUGES, [near, far]));
+    let [near_wave, far_wave] =
+        [&near, &far].map(|level| WAVES.harmonic(&time, level).filter(|_| run.done()));
+    let waves = near_wave.zip(far_wave).map(|(near, far)| WAVES.separated(GAUGES, [near, far]));
     let (sent, back) = (waves.map(|waves| waves[0]), waves.map(|waves| waves[1]));
     let bounds = [0.97 * ASKED, 1.03 * ASKED];
     let mut metrics = between(INCIDENT, sent, "m", bounds, "3 %, by linear theory from two gauges", missed);
@@ -180,7 +112,8 @@ fn judged(run: &Run, missed: Option<Miss>) -> Result<Vec<Metric>, JudgeError> {
         Metric::compared(PERIOD, period(&time, &far).filter(|_| run.done()), "s", TIME)
             .within(0.01, "that of the wall; crossings between particles; asked 1 %"),
     );
-    let course = course(run)?.filter(|_| run.done());
+    let places: Vec<(f64, String)> = ALL.map(|place| (0.1 * f64::from(place), gauge(place))).collect();
+    let course = WAVES.course(run, &places, APART)?.filter(|_| run.done());
     metrics.push(
         Metric::compared(MADE, course.map(|found| found[0]), "m", ASKED)
             .within(0.03 * ASKED, "3 %, by the course of the height over pairs of gauges"),
@@ -192,8 +125,8 @@ fn judged(run: &Run, missed: Option<Miss>) -> Result<Vec<Metric>, JudgeError> {
     let phase = |[x, y]: Complex| libm::atan2(y, x);
     let behind = near_wave.zip(far_wave).map(|(near, far)| (phase(far) - phase(near)).rem_euclid(TAU));
     let found = behind.map(|behind| TAU * (GAUGES[1] - GAUGES[0]) / behind);
-    metrics.push(Metric::compared(LENGTH, found, "m", length()).within(
-        0.03 * length(),
+    metrics.push(Metric::compared(LENGTH, found, "m", WAVES.length()).within(
+        0.03 * WAVES.length(),
         "by the phase between the gauges, to which what comes back adds 1 % for each",
     ));
     Ok(metrics)
@@ -206,7 +139,7 @@ mod tests {
     #[test]
     fn waves_to_and_fro_have_their_heights_and_period() {
         let time: Vec<f64> = (0..=500).map(|i| 0.02 * f64::from(i)).collect();
-        let number = TAU / length();
+        let number = TAU / WAVES.length();
         let wave = |x: f64| -> Vec<f64> {
             let (there, back) = (number * x, 0.7 - number * x);
             let level = |t: &f64| {
@@ -214,11 +147,11 @@ mod tests {
             };
             time.iter().map(level).collect()
         };
-        let at = GAUGES.map(|x| harmonic(&time, &wave(x)).unwrap());
-        let [sent, back] = separated(GAUGES, at);
+        let at = GAUGES.map(|x| WAVES.harmonic(&time, &wave(x)).unwrap());
+        let [sent, back] = WAVES.separated(GAUGES, at);
         assert!((sent - 0.04).abs() < 1e-9 && (back - 0.01).abs() < 1e-9, "{sent} {back}");
         assert!((period(&time, &wave(1.4)).unwrap() - TIME).abs() < 1e-6);
         // The root of ω² = g k tanh kh by Newton's method.
-        assert!((length() - 1.372949).abs() < 1e-6, "{}", length());
+        assert!((WAVES.length() - 1.372949).abs() < 1e-6, "{}", WAVES.length());
     }
 }
