@@ -77,7 +77,7 @@ impl HeatCourse {
         capacity: Capacity,
         temperatures: &[f64],
     ) -> Result<Self, ConductionError> {
-        let system = System::new(of, Some(&capacity))?;
+        let mut system = System::new(of, Some(&capacity))?;
         let is_poor = |&&a: &&u32| !(capacity.own[a as usize] > 0.0 && capacity.own[a as usize].is_finite());
         if let Some(&particle) = system.free.iter().find(is_poor) {
             return Err(ConductionError::Capacity { particle, capacity: capacity.own[particle as usize] });
@@ -85,6 +85,15 @@ impl HeatCourse {
         let given = of.given_at(0.0);
         let mut values = temperatures.to_vec();
         system.put(&given, &mut values);
+        if !capacity.pairs.is_empty() {
+            // What holds nodes moves parameters that others have a part of: of all with these held, the free ones are as near to the start as heat tells.
+            let moved: Vec<f64> = values.iter().zip(temperatures).map(|(to, from)| from - to).collect();
+            let mut change = system.project(&capacity.stored(&moved));
+            system.factor(of, &given, &values, (0.0, Some(&capacity)))?;
+            system.solver.solve(&mut change)?;
+            system.free.iter().zip(&change).for_each(|(&a, change)| values[a as usize] += change);
+            system.put(&given, &mut values);
+        }
         // Held nodes store at once what they are made warmer by, and what holds them gives it.
         let jumps: Vec<f64> = values.iter().zip(temperatures).map(|(to, from)| to - from).collect();
         let stored = capacity.stored(&jumps).iter().sum::<f64>();

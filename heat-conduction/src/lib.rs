@@ -201,23 +201,23 @@ impl<C: Conducts> Conduction<C> {
     }
 
     /// Whether something tells the temperature at each parameter: its node is held, or there is a film or radiation.
-    pub fn told(&self) -> Vec<bool> {
+    pub fn known(&self) -> Vec<bool> {
         let Given { held, film, radiating, .. } = &self.given;
-        let mut told: Vec<bool> = held.iter().map(Option::is_some).collect();
+        let mut known: Vec<bool> = held.iter().map(Option::is_some).collect();
         let radiating = radiating.iter().filter(|(_, own)| own.factor > 0.0).map(|(place, _)| *place);
         let films = (0..).zip(film).filter(|(_, film)| film[0] > 0.0).map(|(place, _)| place);
         for place in radiating.chain(films) {
-            self.share(place, |a, _| told[a as usize] = true);
+            self.share(place, |a, _| known[a as usize] = true);
         }
-        told
+        known
     }
 
     /// The first parameter of a piece, of which these are lists, whose temperature nothing tells.
     pub fn untold(&self, pieces: &[Vec<u32>]) -> Option<u32> {
-        let told = self.told();
+        let known = self.known();
         pieces
             .iter()
-            .find(|piece| piece.iter().all(|&a| !told[a as usize]))
+            .find(|piece| piece.iter().all(|&a| !known[a as usize]))
             .and_then(|piece| piece.first().copied())
     }
 

@@ -158,9 +158,9 @@ fn heat_runs_round_a_slit() {
     assert!(errors.iter().all(|tip| (0.9..1.1).contains(tip)), "{errors:?}");
 }
 
-/// A cut through the whole leaves two pieces, of which one is told nothing.
+/// A cut through the whole leaves two pieces, of which nothing tells the temperature of one.
 #[test]
-fn pieces_are_told_apart() {
+fn pieces_are_found() {
     let block = edges(2, [12, 8, 1], [1.0; 3]);
     let crack = Crack::Segment([Vec3::new(6.5, -1.0, 0.0), Vec3::new(6.5, 9.0, 0.0)]);
     let solid = solid(&block, Space::PlaneStress, Law::StateBased, Correction::Balanced, vec![crack]);

@@ -234,7 +234,7 @@ impl Conduction {
 
     /// Whether nothing tells the temperature: no node is held, and there is neither a film nor radiation.
     pub fn is_untold(&self) -> bool {
-        !self.heat.told().contains(&true)
+        !self.heat.known().contains(&true)
     }
 
     /// The temperatures in balance under what is given at the start of all courses.

@@ -162,6 +162,7 @@ mod steps;
 mod stiffness;
 mod sweep;
 mod volumes;
+mod warm;
 
 pub use body::Galerkin;
 pub use conduction::{Conduction, Gradients};

@@ -176,9 +176,9 @@ impl Conduction {
 
     /// The first particle of a piece whose temperature nothing tells: neither is it held nor is there a film or radiation. None where there is no such piece.
     pub fn untold(&self) -> Option<u32> {
-        let told = self.heat.told();
-        let is_told = |&a: &u32| told[self.node[a as usize] as usize];
-        let piece = self.pieces.iter().find(|piece| !piece.iter().any(is_told));
+        let known = self.heat.known();
+        let is_known = |&a: &u32| known[self.node[a as usize] as usize];
+        let piece = self.pieces.iter().find(|piece| !piece.iter().any(is_known));
         piece.and_then(|piece| piece.first().copied())
     }
 

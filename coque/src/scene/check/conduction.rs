@@ -3,6 +3,7 @@
 use explicit_dynamics::Amplitude;
 
 use super::amplitude::check_amplitude;
+use super::heat_alone::{conducted, refuse_mechanics};
 use super::sets::check_set_name;
 use super::solid::check_conduction_of_solid;
 use crate::scene::analysis::Analysis;
@@ -126,11 +127,6 @@ fn check_course(scene: &BodyInScene<'_>, own: &HeatScene, at: &str) -> Verdict {
     Ok(())
 }
 
-/// Whether a load takes conducted temperatures.
-pub(super) fn conducted(load: &Load) -> bool {
-    load.temperature.as_ref().is_some_and(|own| own.conducted.is_some())
-}
-
 /// Refuses numbers out of bounds of one condition.
 fn check_kind(scene: &BodyInScene<'_>, own: &HeatScene, at: &str) -> Verdict {
     let s = &scene.scope();
@@ -214,20 +210,4 @@ fn check_without_mechanics(scene: &BodyInScene<'_>, shell: &ShellScene) -> Verdi
     ];
     let found = found.into_iter().find(|(_, none)| !none);
     found.map_or(Ok(()), |(key, _)| refuse_mechanics(scene, key))
-}
-
-/// Refuses a key of mechanics in a heat analysis.
-pub(super) fn refuse_mechanics(scene: &BodyInScene<'_>, key: &str) -> Verdict {
-    if key == "output.fields" {
-        let bound = "`every` and `extruded` alone in a heat analysis, in which nothing is strained: temperatures and where heat runs are always in the files";
-        let (value, repair) = (
-            "stresses",
-            "remove them, or use [analysis.static] with a load whose `temperature` is `conducted`",
-        );
-        return Err(SceneError::Choice(scene.scope().fault(key, value, bound, repair)));
-    }
-    let s = if matches!(key, "supports" | "loads") { scene.scope() } else { scene.body_scope() };
-    let (value, bound) = (format!("`{key}`"), "none in a heat analysis, in which nothing moves");
-    let repair = "remove it, or use [analysis.static] with a load whose `temperature` is `conducted`";
-    Err(SceneError::Choice(s.fault(key, &value, bound, repair)))
 }

@@ -14,6 +14,7 @@ mod gauges;
 mod glue;
 mod harmonic;
 mod heat;
+mod heat_alone;
 mod imperfection;
 mod links;
 mod made;

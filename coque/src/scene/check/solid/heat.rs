@@ -3,7 +3,7 @@
 use super::conditions::check_face_of_heat;
 use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
-use crate::scene::check::conduction::{conducted, refuse_mechanics};
+use crate::scene::check::heat_alone::{conducted, refuse_mechanics};
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::loads::{Load, Temperature};
 use crate::scene::output::Fields;
