@@ -312,6 +312,7 @@ mod material;
 mod motion;
 mod on_tools;
 mod packs;
+mod places;
 mod points;
 mod reference;
 mod regions;
