@@ -5,8 +5,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-mod friction;
 mod edges;
+mod friction;
 mod glue;
 mod linked_pair;
 mod links;
