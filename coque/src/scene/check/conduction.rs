@@ -10,7 +10,6 @@ use crate::scene::analysis::Analysis;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::{SceneError, Verdict};
 use crate::scene::heat::HeatScene;
-use crate::scene::loads::Load;
 use crate::scene::output::Fields;
 use crate::scene::problem::Scene;
 use crate::scene::scope::Scope;
