@@ -1,6 +1,6 @@
 //! Where over a surface a point stands at rest: weights of nodes, two directions along the surface, and how far off it the point is.
 
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector6};
 use sph_core::Vec3;
 
 /// Area over that of its sides below which a face has no normal \[–\].
@@ -13,6 +13,10 @@ const UNSEEN: f64 = 1e-6;
 const ITERATIONS: usize = 30;
 /// Change of a coordinate of a quadrilateral at which they end \[–\].
 const SETTLED: f64 = 1e-14;
+/// Weight of a corner that is rounding \[–\].
+const NO_WEIGHT: f64 = 1e-13;
+/// Distance from the point, over that from its face and an edge of it, at which weights and a height by directors are found \[–\].
+const REACHED: f64 = 1e-10;
 
 /// A point over some nodes at rest, `x = Σ w_i x_i + d n` with `n = t₁ × t₂/|t₁ × t₂|` and `t_k = Σ a_ki x_i`.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +57,44 @@ impl Nearest {
         let size = corners.iter().map(|x| (x - corners[0]).norm_squared()).fold(0.0, f64::max);
         let normal = across.try_normalize(FLAT * size)?;
         Some(Self { place: sum(&weights), normal, distance, at })
+    }
+
+    /// Weights w of the corners of the face and the height ζ at which the point stands at `Σ w_i (x_i + ζ d_i)`, d directors at the corners: by
+    /// Newton's method from the nearest place, on and beyond the rim too. None where it does not settle.
+    pub fn by_directors(
+        &self,
+        point: &Vec3,
+        corners: &[Vec3],
+        directors: &[Vec3],
+    ) -> Option<(Vec<f64>, f64)> {
+        let count = corners.len();
+        let sum = |weights: &[f64; 4], of: &dyn Fn(usize) -> Vec3| -> Vec3 {
+            (0..count).map(|i| of(i) * weights[i]).sum()
+        };
+        let director = |i: usize| directors[i];
+        let (mut at, mut height) = (self.at, 0.0);
+        for _ in 0..ITERATIONS {
+            let (weights, along) = shape(count, at);
+            let raised = |i: usize| corners[i] + directors[i] * height;
+            let left = point - sum(&weights, &raised);
+            let columns = [sum(&along[0], &raised), sum(&along[1], &raised), sum(&weights, &director)];
+            let step = Matrix3::from_columns(&columns).lu().solve(&left)?;
+            at = [at[0] + step.x, at[1] + step.y];
+            height += step.z;
+            let size = corners.iter().map(|x| (x - corners[0]).norm()).fold(0.0, f64::max);
+            if step.x.abs().max(step.y.abs()).max(step.z.abs() / size) <= SETTLED {
+                break;
+            }
+        }
+        let (weights, _) = shape(count, at);
+        let mut weights: Vec<f64> =
+            weights[..count].iter().map(|w| if w.abs() < NO_WEIGHT { 0.0 } else { *w }).collect();
+        let whole: f64 = weights.iter().sum();
+        weights.iter_mut().for_each(|weight| *weight /= whole);
+        let left =
+            (0..count).map(|i| (corners[i] + directors[i] * height) * weights[i]).sum::<Vec3>() - point;
+        (left.norm() <= REACHED * (self.distance + (corners[1] - corners[0]).norm()))
+            .then_some((weights, height))
     }
 
     /// The foot of the point on the corners of the face alone.
@@ -116,7 +158,7 @@ impl Foot {
 }
 
 /// Weights of corners at a place of a face, and their changes with its two coordinates.
-fn shape(corners: usize, [u, v]: [f64; 2]) -> ([f64; 4], [[f64; 4]; 2]) {
+pub(crate) fn shape(corners: usize, [u, v]: [f64; 2]) -> ([f64; 4], [[f64; 4]; 2]) {
     if corners == 3 {
         return ([1.0 - u - v, u, v, 0.0], [[-1.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 1.0, 0.0]]);
     }

@@ -17,6 +17,15 @@
 //! ```
 //!
 //! `−k A_i` between point and node, `k 1` of the point itself: exact, so that Newton's method ends as it does without.
+//!
+//! A point may as well stand at given numbers c of places, among which directors of a shell count as places of unit length ([`Hold::Places`]):
+//!
+//! ```text
+//! x = Σ w_i (x_i + ζ d_i) at rest,   r = x − Σ w_i (x_i + ζ d_i) = x − Σ c_i y_i,   U = ½ k |r|²
+//! −k r on the point,  k w_i r on a node,  k ζ w_i r on a director: forces have no sum, for Σ w_i = 1, and with the couples d_i × k ζ w_i r no moment
+//! ```
+//!
+//! There r is linear in places and directors, and turns where all of them turn rigidly.
 
 use nalgebra::Matrix3;
 use sph_core::Vec3;
@@ -28,12 +37,21 @@ use crate::foot::Foot;
 pub struct Glued {
     /// The point.
     pub point: usize,
-    /// Nodes of the surface about its foot.
+    /// Nodes of the surface about its foot, or places that hold it otherwise.
     pub nodes: Vec<usize>,
-    /// Where it stands over them at rest.
-    pub foot: Foot,
+    /// How they hold it.
+    pub hold: Hold,
     /// Force by distance, above zero \[F/L\].
     pub stiffness: f64,
+}
+
+/// How a point is held by nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Hold {
+    /// Over the surface through them, as far off it as at rest.
+    Surface(Foot),
+    /// At these numbers of them, directors of a shell among them \[–, of directors L\].
+    Places(Vec<f64>),
 }
 
 /// Points glued to surfaces.
@@ -47,7 +65,7 @@ pub struct Glue {
     pairs: Vec<[usize; 2]>,
 }
 
-/// A glued point where its places are now.
+/// A point glued to a surface where its places are now.
 struct State {
     r: Vec3,
     normal: Vec3,
@@ -59,30 +77,54 @@ struct State {
 }
 
 impl Glued {
-    fn state(&self, places: &[[f64; 3]], left: &Vec3) -> State {
-        let sum = |weights: &[f64]| -> Vec3 {
-            self.nodes.iter().zip(weights).map(|(&i, w)| Vec3::from(places[i]) * *w).sum()
-        };
-        let along = [sum(&self.foot.along[0]), sum(&self.foot.along[1])];
+    fn sum(&self, places: &[[f64; 3]], weights: &[f64]) -> Vec3 {
+        self.nodes.iter().zip(weights).map(|(&i, w)| Vec3::from(places[i]) * *w).sum()
+    }
+
+    fn state(&self, foot: &Foot, places: &[[f64; 3]], left: &Vec3) -> State {
+        let along = [self.sum(places, &foot.along[0]), self.sum(places, &foot.along[1])];
         let across = along[0].cross(&along[1]);
         let over = 1.0 / across.norm();
         let normal = across * over;
-        let r = Vec3::from(places[self.point]) - sum(&self.foot.weights) - normal * self.foot.offset - left;
+        let middle = self.sum(places, &foot.weights);
+        let r = Vec3::from(places[self.point]) - middle - normal * foot.offset - left;
         State { q: (r - normal * normal.dot(&r)) * over, r, normal, over, along }
+    }
+
+    /// How far the point is from its place \[L\].
+    fn gap(&self, places: &[[f64; 3]], left: &Vec3) -> Vec3 {
+        match &self.hold {
+            Hold::Surface(foot) => self.state(foot, places, left).r,
+            Hold::Places(numbers) => Vec3::from(places[self.point]) - self.sum(places, numbers) - left,
+        }
+    }
+
+    /// Hands the products of the numbers by which places take part in r to `put`, for every ordered pair: of a point that they hold linearly.
+    fn linear(&self, numbers: &[f64], mut put: impl FnMut(usize, usize, f64)) {
+        let parts = || {
+            std::iter::once((self.point, 1.0))
+                .chain(self.nodes.iter().copied().zip(numbers.iter().map(|c| -c)))
+        };
+        for (a, left) in parts() {
+            parts().for_each(|(b, right)| put(a, b, left * right));
+        }
     }
 
     /// Places with the numbers by which each takes part at most: the point 1, a node how far a unit of its motion moves the place over the
     /// surface at rest.
     fn parts(&self, rest: &[[f64; 3]]) -> Vec<(usize, f64)> {
-        let Foot { weights, along, offset, stretch } = &self.foot;
-        let sum = |weights: &[f64]| -> Vec3 {
-            self.nodes.iter().zip(weights).map(|(&i, w)| Vec3::from(rest[i]) * *w).sum()
+        let part: Box<dyn Fn(usize) -> f64> = match &self.hold {
+            Hold::Places(numbers) => Box::new(|i| numbers[i].abs()),
+            Hold::Surface(Foot { weights, along, offset, stretch }) => {
+                let [t, s] = [self.sum(rest, &along[0]), self.sum(rest, &along[1])];
+                // The normal leans by the motion along it, in a direction in the surface.
+                let leans =
+                    move |i: usize| offset.abs() * (t * along[1][i] - s * along[0][i]).norm() / stretch;
+                Box::new(move |i| weights[i].abs() + leans(i))
+            }
         };
-        let [t, s] = [sum(&along[0]), sum(&along[1])];
-        // The normal leans by the motion along it, in a direction in the surface.
-        let leans = |i: usize| offset.abs() * (t * along[1][i] - s * along[0][i]).norm() / stretch;
-        let node = |(i, &place): (usize, &usize)| (place, weights[i].abs() + leans(i));
-        std::iter::once((self.point, 1.0)).chain(self.nodes.iter().enumerate().map(node)).collect()
+        let nodes = self.nodes.iter().enumerate().map(|(i, &place)| (place, part(i)));
+        std::iter::once((self.point, 1.0)).chain(nodes).collect()
     }
 }
 
@@ -106,7 +148,7 @@ impl Glue {
 
     /// Takes out what rounding leaves of r where places are at rest \[L\]: as whoever moves them says it, to the last bit.
     pub fn settle(&mut self, rest: &[[f64; 3]]) {
-        self.left = self.glued.iter().map(|own| own.state(rest, &Vec3::zeros()).r).collect();
+        self.left = self.glued.iter().map(|own| own.gap(rest, &Vec3::zeros())).collect();
     }
 
     /// The points.
@@ -126,7 +168,7 @@ impl Glue {
 
     /// How far a point is from its place over the surface \[L\], by its number.
     pub fn gap(&self, number: usize, places: &[[f64; 3]]) -> Vec3 {
-        self.glued[number].state(places, &self.left[number]).r
+        self.glued[number].gap(places, &self.left[number])
     }
 
     /// Fills in the forces at places; returns the energy \[F L\].
@@ -134,8 +176,22 @@ impl Glue {
         forces.fill([0.0; 3]);
         let mut energy = 0.0;
         for (own, left) in self.glued.iter().zip(&self.left) {
-            let State { r, along: [t, s], q, .. } = own.state(places, left);
-            let (k, Foot { weights, along, offset, .. }) = (own.stiffness, &own.foot);
+            let k = own.stiffness;
+            let foot = match &own.hold {
+                Hold::Surface(foot) => foot,
+                Hold::Places(numbers) => {
+                    let r = own.gap(places, left);
+                    energy += 0.5 * k * r.norm_squared();
+                    add(&mut forces[own.point], &(r * -k));
+                    own.nodes
+                        .iter()
+                        .zip(numbers)
+                        .for_each(|(&node, c)| add(&mut forces[node], &(r * (k * c))));
+                    continue;
+                }
+            };
+            let State { r, along: [t, s], q, .. } = own.state(foot, places, left);
+            let Foot { weights, along, offset, .. } = foot;
             energy += 0.5 * k * r.norm_squared();
             add(&mut forces[own.point], &(r * -k));
             let (by_t, by_s) = (s.cross(&q), q.cross(&t));
@@ -155,9 +211,17 @@ impl Glue {
         mut put: impl FnMut(usize, usize, &Matrix3<f64>),
     ) {
         for (own, left) in self.glued.iter().zip(&self.left) {
-            let State { normal: n, over, along: [t, s], .. } = own.state(places, left);
-            let r = own.state(strained, left).r;
-            let (k, Foot { weights, along, offset: d, .. }) = (own.stiffness, &own.foot);
+            let k = own.stiffness;
+            let foot = match &own.hold {
+                Hold::Surface(foot) => foot,
+                Hold::Places(numbers) => {
+                    own.linear(numbers, |a, b, share| put(a, b, &(Matrix3::identity() * (k * share))));
+                    continue;
+                }
+            };
+            let State { normal: n, over, along: [t, s], .. } = own.state(foot, places, left);
+            let r = own.gap(strained, left);
+            let Foot { weights, along, offset: d, .. } = foot;
             let plane = Matrix3::identity() - n * n.transpose();
             let flat = plane * r;
             let q = flat * over;

@@ -106,6 +106,7 @@
 
 mod changes;
 mod dashpots;
+mod dual;
 mod edges;
 mod euler;
 mod foot;
@@ -135,10 +136,11 @@ mod watch;
 
 pub use changes::{FrontChange, Motion, Turn};
 pub use dashpots::{Dashpot, Dashpots};
+pub use dual::Dual;
 pub use foot::{Foot, Nearest};
 pub use force_curve::{Bears, ForceCurve, OnCurve};
 pub use friction::Friction;
-pub use glue::{Glue, Glued};
+pub use glue::{Glue, Glued, Hold};
 pub use joints::{Joint, Joints};
 pub use law::Law;
 pub use links::{Link, Links};

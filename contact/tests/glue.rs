@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
-use contact::{Foot, Glue, Glued, Nearest};
+use contact::{Foot, Glue, Glued, Hold, Nearest};
 use nalgebra::{DMatrix, Rotation3};
 use sph_core::Vec3;
 
@@ -41,7 +41,8 @@ fn sample() -> (Glue, Vec<[f64; 3]>) {
             ((0..7).collect(), Foot::fitted(&point, &nodes, &nearest.place, &nearest.normal)),
         ];
         for (nodes, foot) in feet {
-            glued.push(Glued { point: places.len(), nodes, foot: foot.unwrap(), stiffness });
+            let hold = Hold::Surface(foot.unwrap());
+            glued.push(Glued { point: places.len(), nodes, hold, stiffness });
         }
         places.push(point.into());
     }

@@ -15,7 +15,7 @@ use crate::conditions::tools::Tools;
 use crate::dependents::Dependents;
 use crate::junction::group::{Group, Junctions};
 use crate::junction::springs::BodySprings;
-use crate::motion::Moving;
+use crate::motion::{Moving, row_of};
 use crate::packs::Row;
 use crate::reference::Reference;
 use crate::wetted::surface::Surface;
@@ -36,7 +36,7 @@ pub(crate) struct Loading {
     pub wetted: Option<Box<Surface>>,
     /// Forces that a function exerts.
     pub push: Option<Box<Push>>,
-    /// Forces that other bodies exert on particles; empty of a shell alone.
+    /// Forces that other bodies exert on particles, and couples on directors by their numbers behind them; empty of a shell alone.
     pub exerted: Vec<(u32, [f64; 3])>,
     /// The part of loads and springs that is evaluated here, where others march the shell too.
     pub on_share: Option<Box<OnShare>>,
@@ -256,8 +256,9 @@ impl Loading {
                 (0..3).for_each(|k| sum[k] += force[k]);
             }
         }
-        for (particle, force) in exerted.iter().filter(|_| now.is_some()) {
-            (0..3).for_each(|k| external[*particle as usize][k] += force[k]);
+        for (number, force) in exerted.iter().filter(|_| now.is_some()) {
+            let (a, place) = row_of(*number, external.len());
+            (0..3).for_each(|k| external[a][place + k] += force[k]);
         }
         if now.is_some() && !spring_forces.is_empty() {
             OnShare::clear(on_share, spring_forces);

@@ -34,3 +34,11 @@ impl Moving {
         Vec3::new(row[3], row[4], row[5])
     }
 }
+
+/// Particle of a place by its number, and where the three numbers of the place stand in the row `[x, d]` of that particle.
+pub(crate) fn row_of(number: u32, particles: usize) -> (usize, usize) {
+    match (number as usize).checked_sub(particles) {
+        Some(particle) => (particle, 3),
+        None => (number as usize, 0),
+    }
+}

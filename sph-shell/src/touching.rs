@@ -22,8 +22,12 @@ impl Shell {
 
     /// Half of its thickness where that is least \[L\]; none of a shell without cells, and of one with sections off its particles.
     pub fn least_half_thickness(&self) -> Option<f64> {
-        let half = self.material.half_thickness(&self.reference).ok()?;
-        half.into_iter().filter(|half| *half > 0.0).reduce(f64::min)
+        self.half_thicknesses()?.into_iter().filter(|half| *half > 0.0).reduce(f64::min)
+    }
+
+    /// Half of the thickness at each particle \[L\]; none of a shell without cells, and of one with sections off its particles.
+    pub fn half_thicknesses(&self) -> Option<Vec<f64>> {
+        self.material.half_thickness(&self.reference).ok()
     }
 
     /// Least membrane stiffness of all its sections, of a homogeneous one Young's modulus times the thickness \[F/L\].

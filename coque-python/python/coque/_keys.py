@@ -109,6 +109,7 @@ if TYPE_CHECKING:
     FluidOpening = TypedDict("FluidOpening", {"amplitude": NotRequired["Amplitude"], "at": Sequence[Union[float, str]], "into": Sequence[Union[float, str]], "level": NotRequired[Union[float, str]], "pressure": NotRequired[Union[float, str]], "profile": NotRequired[Sequence[Sequence[Union[float, str]]]], "velocity": NotRequired[Union[float, str]]})
     FluidScene = TypedDict("FluidScene", {"beach": NotRequired["Beach"], "current": NotRequired["Current"], "formulation": NotRequired["FluidFormulation"], "geometry": "FluidGeometry", "material": "FluidMaterial", "most_particles": NotRequired[Union[int, str]], "openings": NotRequired[Sequence["FluidOpening"]], "periodic": NotRequired["PeriodicSides"], "velocity": NotRequired["Velocity"]})
     FluidStart: TypeAlias = Union[Literal['hydrostatic'], Literal['uniform']]
+    Followed: TypeAlias = Literal['director']
     Force: TypeAlias = Union[Literal['N'], Literal['kN'], Literal['MN'], Literal['lbf'], Literal['-']]
     Force2 = TypedDict("Force2", {"by_area": NotRequired[bool], "total": Sequence[Union[float, str]]})
     Formulation_1 = TypedDict("Formulation_1", {"stress-point": "StressPoint"})
@@ -138,7 +139,7 @@ if TYPE_CHECKING:
     Geometry_5 = TypedDict("Geometry_5", {"mesh": "Mesh"})
     Geometry: TypeAlias = Union["Geometry_1", "Geometry_2", "Geometry_3", "Geometry_4", "Geometry_5"]
     GivenStiffness = TypedDict("GivenStiffness", {"axis": Sequence[Union[float, str]], "bending": Sequence[Sequence[Union[float, str]]], "coupling": NotRequired[Sequence[Sequence[Union[float, str]]]], "membrane": Sequence[Sequence[Union[float, str]]], "shear": Sequence[Sequence[Union[float, str]]], "thickness": Union[float, str]})
-    GlueScene = TypedDict("GlueScene", {"on": str, "stiffness": NotRequired[Union[float, str]], "to": str})
+    GlueScene = TypedDict("GlueScene", {"follow": NotRequired["Followed"], "on": str, "stiffness": NotRequired[Union[float, str]], "to": str})
     Gravity = TypedDict("Gravity", {"acceleration": Sequence[Union[float, str]]})
     Hardening_1 = TypedDict("Hardening_1", {"linear": "Linear"})
     Hardening_2 = TypedDict("Hardening_2", {"voce": "Voce"})

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 119] = [
+const EXAMPLES: [Example; 120] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -129,6 +129,7 @@ const EXAMPLES: [Example; 119] = [
     Example::new("sandwich-panel", 0.2, include_str!("../../../scenes/sandwich-panel.toml")),
     Example::new("scordelis-lo", 0.1, include_str!("../../../scenes/scordelis-lo.toml")),
     Example::new("shell-in-water", 24.0, include_str!("../../../scenes/shell-in-water.toml")),
+    Example::new("shell-on-root", 2.0, include_str!("../../../scenes/shell-on-root.toml")),
     Example::new("slider-crank", 0.9, include_str!("../../../scenes/slider-crank.toml")),
     Example::new("spinning-block", 0.1, include_str!("../../../scenes/spinning-block.toml")),
     Example::new("stepped-plate", 0.1, include_str!("../../../scenes/stepped-plate.toml")),

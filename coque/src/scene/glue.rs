@@ -5,6 +5,14 @@ use serde::Deserialize;
 
 use crate::scene::bounded::Positive;
 
+/// What of a shell particles glued to it follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Followed {
+    /// Its directors: a particle stays at `Σ w_i (x_i + ζ d_i)` of the corners of the nearest cell.
+    Director,
+}
+
 /// A set of one body glued to the surface of another: each of its particles stays where it stands at rest over the nearest face of that
 /// surface, at the same place of the face and the same distance off it, as the face moves and turns.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -15,6 +23,9 @@ pub struct GlueScene {
     pub on: String,
     /// The other body: a shell, a solid or a rigid body.
     pub to: String,
+    /// What the particles follow of a shell: left out, the normal of its surface; `director`, its directors, so that the face of a solid across
+    /// an edge of the shell, half its thickness to both sides, hands on moments as well as forces.
+    pub follow: Option<Followed>,
     /// Factor on the stiffness; left out, 1: at rest two hundred times that of cells of both bodies; in time what shortens steps by a tenth at
     /// most.
     pub stiffness: Option<Positive>,

@@ -86,7 +86,7 @@ pub use fluid::geometry::{Annulus, Disc, FluidBlock, FluidBlocks, FluidBox, Flui
 pub use fluid::openings::FluidOpening;
 pub use fluid::periodic::PeriodicSides;
 pub use fluid::{FluidMaterial, FluidScene, Liquid};
-pub use glue::GlueScene;
+pub use glue::{Followed, GlueScene};
 pub use harmonic::{
     BaseResponse, Frequencies, FrequencyRange, FrequencySpacing, Harmonic, RayleighDamping, ShakenBase,
     VibrationDamping,

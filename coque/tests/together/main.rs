@@ -6,6 +6,7 @@
 mod common;
 
 mod friction;
+mod edges;
 mod glue;
 mod linked_pair;
 mod links;

@@ -22,7 +22,8 @@ pub trait Joinable: Dynamics + MassScaled {
     /// Number of its particles; [`Dynamics::within_bounds`] may name no other.
     fn particles(&self) -> usize;
 
-    /// Positions \[L\] of some particles.
+    /// Positions \[L\] of some particles. A system whose particles have directors may number those as places of unit length behind its particles:
+    /// here and in what follows.
     fn places(&self, particles: &[u32], out: &mut [[f64; 3]]);
 
     /// Velocities \[L/T\] of some particles.

@@ -6,7 +6,8 @@ use crate::equilibrium::Equilibrium;
 
 /// A system of particles on which others act.
 pub trait Joinable: Equilibrium {
-    /// Positions \[L\] of some particles in the present state.
+    /// Positions \[L\] of some particles in the present state. A system whose particles have directors may number those as places of unit length
+    /// behind its particles: here and in what follows.
     fn places(&self, particles: &[u32], out: &mut [[f64; 3]]);
 
     /// Puts what is prescribed of it where a level has that.

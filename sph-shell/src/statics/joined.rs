@@ -4,15 +4,15 @@ use std::collections::BTreeSet;
 use std::ops::DerefMut;
 
 use implicit_statics::Joinable;
-use sph_core::Vec3;
 
 use crate::Shell;
+use crate::motion::row_of;
+use crate::packs::Row;
 use crate::statics::static_shell::StaticShell;
 
 impl<S: DerefMut<Target = Shell>> Joinable for StaticShell<S> {
     fn places(&self, particles: &[u32], out: &mut [[f64; 3]]) {
-        let of = |&a: &u32| self.shell.position(a as usize).into();
-        out.iter_mut().zip(particles).for_each(|(out, a)| *out = of(a));
+        out.iter_mut().zip(particles).for_each(|(out, &number)| *out = self.shell.place_numbered(number));
     }
 
     fn put(&mut self, level: f64) {
@@ -30,10 +30,19 @@ impl<S: DerefMut<Target = Shell>> Joinable for StaticShell<S> {
     }
 
     /// Unknowns of the particle, of the group that it belongs to, or of all on which it may hang.
-    fn motion_of(&self, particle: u32) -> Vec<(usize, [f64; 3])> {
-        let a = particle as usize;
+    fn motion_of(&self, number: u32) -> Vec<(usize, [f64; 3])> {
+        let (a, place) = row_of(number, self.shell.len());
+        let unit = |k: usize| {
+            let mut row: Row = [0.0; 6];
+            row[place + k] = 1.0;
+            row
+        };
         if self.shell.dependents.ties.of(a).is_some() {
-            let along = [Vec3::x(), Vec3::y(), Vec3::z()].map(|axis| self.functional(&[particle], axis));
+            let along = [0, 1, 2].map(|k| {
+                let mut rows = vec![[0.0; 6]; self.shell.len()];
+                rows[a] = unit(k);
+                self.weights_of(rows)
+            });
             let mut hosts = BTreeSet::new();
             self.gather_hosts(a, &mut hosts);
             let unknowns = hosts.into_iter().flat_map(|host| self.dofs.of(host));
@@ -43,9 +52,7 @@ impl<S: DerefMut<Target = Shell>> Joinable for StaticShell<S> {
         let own = self.dofs.of(first);
         let mut along = [[0.0; 6]; 3];
         for (k, out) in along.iter_mut().enumerate() {
-            let mut unit = [0.0; 6];
-            unit[k] = 1.0;
-            self.project_one(first, |b| if b == a { unit } else { [0.0; 6] }, &mut out[..own.len()]);
+            self.project_one(first, |b| if b == a { unit(k) } else { [0.0; 6] }, &mut out[..own.len()]);
         }
         own.enumerate().map(|(i, unknown)| (unknown, [0, 1, 2].map(|k| along[k][i]))).collect()
     }

@@ -80,6 +80,11 @@ impl<S: DerefMut<Target = Shell>> StaticShell<S> {
         let share = direction.normalize() / particles.len() as f64;
         let mut rows = vec![[0.0; 6]; self.shell.len()];
         particles.iter().for_each(|&a| (0..3).for_each(|k| rows[a as usize][k] += share[k]));
+        self.weights_of(rows)
+    }
+
+    /// Rows `[f, n]` at all particles as weights of the unknowns.
+    pub(super) fn weights_of(&self, mut rows: Vec<Row>) -> Vec<f64> {
         self.shell.dependents.ties.condense(&self.shell.motion.state, &mut rows, |_, _| ());
         let mut weights = vec![0.0; self.dofs.count()];
         self.project(|a| rows[a], &mut weights);

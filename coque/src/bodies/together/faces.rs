@@ -7,6 +7,7 @@ use rigid_body::RigidBody;
 use sph_core::{Block, Cell, Vec3};
 use sph_shell::Shell;
 
+use super::directors::Directors;
 use super::sides::young;
 use crate::bodies::body::Body;
 use crate::bodies::galerkin::solid::GalerkinSolid;
@@ -28,6 +29,8 @@ pub(super) struct Faces {
     pub spacing: f64,
     /// Area of a particle, where all have the same \[L²\].
     area: Option<f64>,
+    /// Directors of a shell.
+    pub directors: Option<Directors>,
 }
 
 impl Faces {
@@ -36,7 +39,8 @@ impl Faces {
         let spacing = shell.reference().cloud.spacing();
         let half = shell.least_half_thickness().unwrap_or(0.0);
         let stiffness = OVER_CELL * shell.least_membrane_stiffness() / (spacing * spacing);
-        Self { cells: shell.configuration().cells.to_vec(), stiffness, half, spacing, area: None }
+        let directors = Some(Directors::of(shell, OVER_CELL));
+        Self { cells: shell.configuration().cells.to_vec(), stiffness, half, spacing, area: None, directors }
     }
 
     /// Those of a solid of bonds: quadrangles between its outermost nodes. Half a spacing of the body lies before them that has no bonds of its own,
@@ -47,19 +51,21 @@ impl Faces {
         let stiffness = OVER_CELL * young(body) / spacing;
         let volume = block.volumes.iter().sum::<f64>() / block.len() as f64;
         let area = Some(volume / spacing);
-        Self { cells: outermost(block), stiffness, half: 0.5 * block.greatest_spacing(), spacing, area }
+        let half = 0.5 * block.greatest_spacing();
+        Self { cells: outermost(block), stiffness, half, spacing, area, directors: None }
     }
 
     /// Those of a Galerkin solid.
     pub fn of_galerkin(body: &SolidScene, solid: &GalerkinSolid, spacing: f64) -> Self {
         let stiffness = OVER_CELL * young(body) / spacing;
-        Self { cells: solid.configuration().cells.to_vec(), stiffness, half: 0.0, spacing, area: None }
+        let cells = solid.configuration().cells.to_vec();
+        Self { cells, stiffness, half: 0.0, spacing, area: None, directors: None }
     }
 
     /// Those of a rigid body.
     pub fn of_rigid(body: &RigidBody) -> Self {
         let stiffness = f64::INFINITY;
-        Self { cells: body.cells().to_vec(), stiffness, half: 0.0, spacing: 0.0, area: None }
+        Self { cells: body.cells().to_vec(), stiffness, half: 0.0, spacing: 0.0, area: None, directors: None }
     }
 
     /// Areas for which some particles at rest stand \[L²\]: their parts of the faces between them, or of all faces at those that have none of these.

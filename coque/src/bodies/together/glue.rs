@@ -2,9 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use contact::{Glue, Glued};
+use contact::{Glue, Glued, Hold};
 use sph_core::Vec3;
 
+use super::directors::{Directors, Said, Unheld};
 use super::faces::Faces;
 use super::joints::{SetsOfBodies, distinct, members, moved_on};
 use super::layout::Layout;
@@ -140,9 +141,22 @@ impl Bodies<'_> {
         let near = Near::new(&cells, &layout.rest, bound, other.stiffness.is_finite());
         let rest = &layout.rest[layout.particles[of].clone()];
         let before = layout.particles[of].start as u32;
-        let areas = own.areas(&points.iter().map(|point| point - before).collect::<Vec<_>>(), rest);
+        let set: Vec<u32> = points.iter().map(|point| point - before).collect();
+        let areas = own.areas(&set, rest);
         // Both sides give way, one after the other.
-        let stiffness = self.factor(glue) / (1.0 / own.stiffness + 1.0 / other.stiffness);
+        let directors = other.directors.as_ref().filter(|_| glue.own.follow.is_some());
+        let of_other = directors.map_or(other.stiffness, |directors| directors.stiffness);
+        let stiffness = self.factor(glue) / (1.0 / own.stiffness + 1.0 / of_other);
+        let raised = |directors: &Directors, x: &Vec3| {
+            let raised = near.raised(x, |a| directors.at[(a - first) as usize]);
+            raised.map(|own| own.numbered_from(first))
+        };
+        let mut means = match directors {
+            Some(directors) => directors
+                .means((&own.cells, &set), (rest, other.spacing), |x| raised(directors, x))
+                .map_err(|(x, why)| self.unheld(glue, &x, &why))?,
+            None => BTreeMap::new(),
+        };
         let mut found = Vec::new();
         for (&point, area) in points.iter().zip(areas) {
             if area == 0.0 {
@@ -156,7 +170,19 @@ impl Bodies<'_> {
                     repair,
                 );
             }
-            let Some((nodes, foot)) = near.foot(&at(point)) else {
+            let held = match directors {
+                Some(directors) => match means.remove(&(point - before)) {
+                    Some(mean) => Some(mean),
+                    None => {
+                        let places = raised(directors, &at(point)).map(|own| directors.places(&own));
+                        places.transpose().map_err(|why| self.unheld(glue, &at(point), &why))?
+                    }
+                },
+                None => near.foot(&at(point)).map(|(nodes, foot)| {
+                    (nodes.into_iter().map(|a| a - first).collect(), Hold::Surface(foot))
+                }),
+            };
+            let Some((nodes, hold)) = held else {
                 let (x, away) = (at(point), near.least(&at(point)));
                 let value = format!("{on} with a particle at ({:.4}, {:.4}, {:.4})", x.x, x.y, x.z);
                 let said = format!(
@@ -166,27 +192,37 @@ impl Bodies<'_> {
                 let repair = "name a set that lies on the other body, or move the bodies together";
                 return refuse("on", &value, &said, repair);
             };
-            found.push((point, nodes, foot, stiffness * area));
+            found.push((point, nodes, hold, stiffness * area));
         }
-        let faces: Vec<u32> = found.iter().flat_map(|(_, nodes, ..)| nodes.iter().copied()).collect();
+        // Places of the other body by its own numbers, with directors behind its particles.
+        let count = layout.particles[to].len() as u32;
+        let nodes =
+            || found.iter().flat_map(|(_, nodes, ..): &(u32, Vec<u32>, Hold, f64)| nodes.iter().copied());
+        let faces: Vec<u32> = nodes().map(|a| first + a % count).collect();
         self.refuse_moved([&points, &faces], to)?;
-        let touched: BTreeSet<u32> = points.iter().copied().chain(faces).collect();
-        let touched: Vec<u32> = touched.into_iter().collect();
-        let number = |particle: u32| touched.partition_point(|&other| other < particle);
-        let glued = found.into_iter().map(|(point, nodes, foot, stiffness)| Glued {
-            point: number(point),
-            nodes: nodes.into_iter().map(number).collect(),
-            foot,
+        let all = points.iter().map(|&point| (of, point - before)).chain(nodes().map(|a| (to, a)));
+        let touched: Vec<(usize, u32)> = all.collect::<BTreeSet<_>>().into_iter().collect();
+        let number = |place: (usize, u32)| touched.partition_point(|&other| other < place);
+        let rest = |&(body, a): &(usize, u32)| -> [f64; 3] {
+            let particles = layout.particles[body].clone();
+            match (a as usize).checked_sub(particles.len()).zip(other.directors.as_ref()) {
+                Some((a, directors)) => directors.at[a].into(),
+                None => layout.rest[particles.start + a as usize].into(),
+            }
+        };
+        let rest: Vec<[f64; 3]> = touched.iter().map(rest).collect();
+        let of_body =
+            |body: usize| touched.iter().filter(|place| place.0 == body).map(|place| place.1).collect();
+        let particles = (0..layout.particles.len()).map(of_body).collect();
+        let glued = found.into_iter().map(|(point, nodes, hold, stiffness)| Glued {
+            point: number((of, point - before)),
+            nodes: nodes.into_iter().map(|a| number((to, a))).collect(),
+            hold,
             stiffness,
         });
-        let rest: Vec<[f64; 3]> = touched.iter().map(|&a| at(a).into()).collect();
-        let of = |range: &std::ops::Range<usize>| {
-            let inside = touched.iter().map(|&particle| particle as usize).filter(|a| range.contains(a));
-            inside.map(|particle| (particle - range.start) as u32).collect()
-        };
         Ok(GluedBodies {
             names: [glue.own.on.clone(), glue.own.to.clone()],
-            particles: layout.particles.iter().map(of).collect(),
+            particles,
             glue: Glue::new(glued.collect(), &rest),
             places: rest.clone(),
             rest,
@@ -195,6 +231,12 @@ impl Bodies<'_> {
             factor: self.factor(glue),
             energy: 0.0,
         })
+    }
+
+    /// Says why a particle cannot be held by directors.
+    fn unheld(&self, glue: &GlueInScene<'_>, x: &Vec3, why: &Unheld) -> SceneError {
+        let Said { key, value, bound, repair } = why.said([&glue.own.on, &glue.own.to], x);
+        SceneError::Set(self.scene.source.fault(&format!("{}.{key}", glue.path), &value, &bound, repair))
     }
 
     fn factor(&self, glue: &GlueInScene<'_>) -> f64 {

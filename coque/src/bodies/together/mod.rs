@@ -10,6 +10,7 @@ mod balance;
 mod body;
 pub(super) mod build;
 mod contact;
+mod directors;
 mod faces;
 mod glue;
 mod jointed;

@@ -24,6 +24,22 @@ pub(super) struct Near<'a> {
     bends: bool,
 }
 
+/// A point as it stands over corners of a shell, `Σ w_i (x_i + ζ d_i)`.
+pub(super) struct Raised {
+    /// Corners with their weights w, which sum to one, ascending.
+    pub weights: Vec<(u32, f64)>,
+    /// Height ζ along directors \[L\].
+    pub height: f64,
+}
+
+impl Raised {
+    /// The same with corners numbered from one of them on.
+    pub fn numbered_from(mut self, first: u32) -> Self {
+        self.weights.iter_mut().for_each(|(a, _)| *a -= first);
+        self
+    }
+}
+
 impl<'a> Near<'a> {
     /// Cells over nodes at rest \[L\], within a distance of points \[L\].
     pub fn new(cells: &'a [Vec<u32>], rest: &'a [Vec3], bound: f64, bends: bool) -> Self {
@@ -67,6 +83,24 @@ impl<'a> Near<'a> {
         }
         let foot = first.on_corners(point, &self.places(&self.cells[cell]))?;
         Some((self.cells[cell].clone(), foot))
+    }
+
+    /// The corners of the nearest cell that stand with their directors for a point, with their weights and its height along these; none where the
+    /// surface is beyond the bound.
+    pub fn raised(&self, point: &Vec3, director: impl Fn(u32) -> Vec3) -> Option<Raised> {
+        let mut near = Vec::new();
+        self.boxes.within(point, self.reach, &mut near);
+        let found =
+            near.iter().filter_map(|&cell| Some((cell as usize, self.nearest(cell as usize, point)?)));
+        let found = found.filter(|(_, own)| own.distance <= self.bound);
+        let (cell, nearest) = found.min_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance))?;
+        let corners = &self.cells[cell];
+        let directors: Vec<Vec3> = corners.iter().map(|&a| director(a)).collect();
+        let (weights, height) = nearest.by_directors(point, &self.places(corners), &directors)?;
+        let weights = corners.iter().copied().zip(weights).filter(|(_, weight)| *weight != 0.0);
+        let mut weights: Vec<(u32, f64)> = weights.collect();
+        weights.sort_unstable_by_key(|&(a, _)| a);
+        Some(Raised { weights, height })
     }
 
     /// Distance of the nearest cell \[L\].

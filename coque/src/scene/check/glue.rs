@@ -71,6 +71,11 @@ fn check_bodies(scene: &Scene, glue: &GlueInScene<'_>) -> Verdict {
             return refuse(scene, path, "a solid without such a surface", bound, "glue another body");
         }
     }
+    if own.follow.is_some() && !matches!(other, BodyScene::Shell(_)) {
+        let bound = format!("directors of a shell: `{}` is none", own.to);
+        let repair = "leave `follow` out, or name a set of the solid under `on` and the shell under `to`";
+        return refuse(scene, &format!("{path}.follow"), "\"director\"", &bound, repair);
+    }
     check_set_name(&BodyInScene::new(scene, body, with_set)?, &on, set)?;
     if let Some(number) = scene.contact.iter().position(|contact| contact.other(body) == Some(&own.to)) {
         let value = format!("glue of \"{body}\" and \"{}\"", own.to);
