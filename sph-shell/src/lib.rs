@@ -170,8 +170,7 @@
 //! g_ab is the corrected gradient of a towards b, ϑ < 0 the rate of their distance, c̄ the sound speed, ρ₀ the density;
 //! Π is subtracted as a pressure, where the paper adds it, and turned with the particle by F. The difference ([`Divergence`]) also
 //! prescribes what acts at edges, `P_a·r_a = f_a`, and holds the pattern of two spacings. There is no energy behind either, the
-//! stiffness is not symmetric; the tests measure that, docs/formulations.md shows the eigenvalues, and validation what the printed sum
-//! costs in accuracy.
+//! stiffness is not symmetric; the tests measure that, docs/formulations.md shows the eigenvalues, and validation what the printed sum costs.
 //!
 //! # Several sections
 //!

@@ -7,6 +7,7 @@ mod common;
 
 mod edges;
 mod friction;
+mod edges;
 mod glue;
 mod linked_pair;
 mod links;

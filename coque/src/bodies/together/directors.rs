@@ -37,7 +37,7 @@ pub(super) enum Unheld {
     Turned,
 }
 
-/// How a scene is told that.
+/// What is reported of that.
 pub(super) struct Said {
     /// Key of the glue that says otherwise.
     pub key: &'static str,
