@@ -27,7 +27,7 @@ use coque::{Ended, Outcome, Silent};
 
 /// Scenes of the repository that are through in a second, shortened where they are long: every kind of shell and solid, every analysis
 /// without time, contact in time as well.
-const SCENES: [(&str, Replaced); 68] = [
+const SCENES: [(&str, Replaced); 69] = [
     ("plate.toml", &[]),
     ("hemisphere.toml", &[("geometry.sphere.particles", "[13, 13]")]),
     ("pinched-cylinder.toml", &[]),
@@ -71,6 +71,7 @@ const SCENES: [(&str, Replaced); 68] = [
     ("../coque/tests/metamorphic/thrown.toml", &[]),
     ("joined-cantilevers.toml", &[]),
     ("glued-lap.toml", &LAP),
+    ("shell-on-root.toml", &ROOTED),
     ("plate-on-plate.toml", &PLATES),
     ("cantilever-on-flat.toml", &[("analysis.static.levels", "[0.0138889, 0.0486111, 0.434028]")]),
     ("propped-cantilever.toml", &[]),
@@ -121,6 +122,12 @@ const SOFTENED: [(&str, &str); 2] = [
         "material.elastic.by_temperature",
         "{ reference = 20.0, young = [[20, 1.0], [22, 0.7]], poisson = [[20, 1.0], [22, 1.1]], expansion = [[20, 1.0], [22, 1.2]] }",
     ),
+];
+
+/// On fewer nodes.
+const ROOTED: [(&str, &str); 2] = [
+    ("bodies.root.solid.geometry.block.spacing", "[12.0, 20.0, 4.0]"),
+    ("bodies.blade.shell.geometry.plate.particles", "[13, 5]"),
 ];
 
 /// In time, through a hundred of its steps.

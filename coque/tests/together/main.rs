@@ -6,8 +6,8 @@
 mod common;
 
 mod edges;
-mod friction;
 mod edges;
+mod friction;
 mod glue;
 mod linked_pair;
 mod links;

@@ -1,5 +1,6 @@
 //! Solids without elements on strain and rotation; a new case is a file, a line here, and one in the list.
 
+mod blade_on_root;
 mod bricks;
 mod cantilever;
 mod column;
@@ -36,6 +37,7 @@ pub fn all() -> Vec<Case> {
         thick_tube::case(),
         hollow_ball::case(),
         hot_tube::case(),
+        blade_on_root::case(),
         finer::stub_solid(INCREMENTS),
         finer::pressed_pad(INCREMENTS),
     ]
