@@ -6,7 +6,6 @@
 mod common;
 
 mod edges;
-mod edges;
 mod friction;
 mod glue;
 mod linked_pair;
