@@ -19,13 +19,14 @@ use crate::warning::{Warning, WarningKind};
 type Rule = (WarningKind, fn(&Look<'_>) -> Option<String>);
 
 /// Every rule, in the order in which warnings are printed.
-const RULES: [Rule; 7] = [
+const RULES: [Rule; 8] = [
     (WarningKind::OddHorizon, odd_horizon),
     (WarningKind::FlatCells, flat_cells),
     (WarningKind::FewLayers, few_layers),
     (WarningKind::ThinLayer, thin_layer),
     (WarningKind::LoadedFace, loaded_face),
     (WarningKind::SoftSkin, soft_skin),
+    (WarningKind::SoftSkin, cool_skin),
     (WarningKind::ThinFins, thin_fins),
 ];
 
@@ -276,6 +277,16 @@ fn soft_skin(look: &Look<'_>) -> Option<String> {
     (uncorrected && (named || !look.body.tools.is_empty())).then(|| {
         "bonds without a correction are soft at the skin, through which the body is touched: forces, half widths and greatest pressures of drums on \
          blocks come out 10 to 27 % off; leave `correction` out, or use \"energy-factor\""
+            .to_string()
+    })
+}
+
+/// Bonds whose weights are not balanced conduct less into the nodes at faces.
+fn cool_skin(look: &Look<'_>) -> Option<String> {
+    let heats = matches!(look.scene.analysis, Analysis::Heat(_));
+    (heats && look.body.correction() != Correction::Balanced).then(|| {
+        "bonds whose weights are not balanced conduct less into the nodes at faces: a slab of 12 spacings between two of them passes 11 % less heat; use \
+         correction = \"balanced\", with nodes on the edges of a block"
             .to_string()
     })
 }
