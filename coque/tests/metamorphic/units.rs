@@ -75,6 +75,13 @@ fn scale(
                 }
             }
         }
+        // Rows of tables by temperature: a temperature and a factor.
+        toml::Value::Array(row) if path.contains(".by_temperature.") && row[0].is_array() => {
+            for pair in row.iter_mut().filter_map(toml::Value::as_array_mut) {
+                let at = pair[0].as_float().or_else(|| pair[0].as_integer().map(|i| i as f64)).unwrap();
+                pair[0] = toml::Value::Float(at * factor("Θ").unwrap());
+            }
+        }
         toml::Value::Array(list) => {
             let within = format!("{path}[]");
             for value in list {

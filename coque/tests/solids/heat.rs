@@ -72,7 +72,7 @@ fn a_quenched_slab_cools_by_its_series() {
     let at = |time: f64| {
         let term = |k: usize| {
             let n = (2 * k + 1) as f64 * std::f64::consts::PI;
-            let sign = if k % 2 == 0 { 4.0 } else { -4.0 };
+            let sign = if k.is_multiple_of(2) { 4.0 } else { -4.0 };
             sign / n * libm::exp(-(n / 0.4).powi(2) * 2.0 / (2000.0 * 500.0) * time)
         };
         20.0 + 100.0 * (0..20).map(term).sum::<f64>()

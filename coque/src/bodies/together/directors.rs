@@ -14,6 +14,9 @@ const BEYOND: f64 = 0.01;
 /// Number of a place that is rounding \[–, of directors L\].
 const ROUNDING: f64 = 1e-14;
 
+/// Places by the numbers of their body, particles and then directors, and how they hold.
+type HeldAt = (Vec<u32>, Hold);
+
 /// Directors of a shell at rest.
 #[derive(Clone, Debug)]
 pub(super) struct Directors {
@@ -102,7 +105,7 @@ impl Directors {
         (cells, set): (&[Cell], &[u32]),
         (rest, spacing): (&[Vec3], f64),
         raised: impl Fn(&Vec3) -> Option<Raised>,
-    ) -> Result<BTreeMap<u32, (Vec<u32>, Hold)>, (Vec3, Unheld)> {
+    ) -> Result<BTreeMap<u32, HeldAt>, (Vec3, Unheld)> {
         let set: BTreeSet<u32> = set.iter().copied().collect();
         let mut sums: BTreeMap<u32, (BTreeMap<u32, f64>, f64)> = BTreeMap::new();
         let corners = |cell: &Cell| cell.corners[..usize::from(cell.count)].to_vec();
@@ -130,7 +133,7 @@ impl Directors {
     ///
     /// # Errors
     /// What keeps it from being held.
-    pub fn places(&self, raised: &Raised) -> Result<(Vec<u32>, Hold), Unheld> {
+    pub fn places(&self, raised: &Raised) -> Result<HeldAt, Unheld> {
         Ok(held(self.numbers(raised)?.into_iter()))
     }
 
@@ -149,7 +152,7 @@ impl Directors {
 }
 
 /// Places with numbers that are more than rounding.
-fn held(all: impl Iterator<Item = (u32, f64)>) -> (Vec<u32>, Hold) {
+fn held(all: impl Iterator<Item = (u32, f64)>) -> HeldAt {
     let (places, numbers) = all.filter(|(_, number)| number.abs() > ROUNDING).unzip();
     (places, Hold::Places(numbers))
 }
