@@ -98,7 +98,7 @@ fn a_quenched_slab_cools_by_its_series() {
     let exact = |time: f64| {
         let term = |k: usize| {
             let n = (2 * k + 1) as f64;
-            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
             sign * 4.0 / (n * PI) * libm::exp(-(n * PI).powi(2) * CONDUCTIVITY * time)
         };
         (0..40).map(term).sum::<f64>()

@@ -198,8 +198,9 @@ fn an_offset_moves_particles_and_no_answer() {
     let (middle, off) = (bent(0.0), bent(0.1));
     println!("{middle:?} {off:?}");
     let most = middle.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-    // 1.2e-6: the surface of the particles is stretched by offset times curvature, which the present curvature knows of.
-    middle.iter().zip(&off).for_each(|(a, b)| assert!((a - b).abs() < 4e-6 * most, "{a} {b}"));
+    // 1.2e-6: the surface of the particles is stretched by offset times curvature, which the present curvature knows of. And 1e-5 where rounding makes a
+    // step more or less on the way to full load: plastic strains are found step by step.
+    middle.iter().zip(&off).for_each(|(a, b)| assert!((a - b).abs() < 3e-5 * most, "{a} {b}"));
 }
 
 #[test]

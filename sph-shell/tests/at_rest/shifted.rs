@@ -97,7 +97,13 @@ fn a_shell_far_away_answers_as_at_zero() {
                 plain.1
             );
             // Places far away are rounded to 1e-12 of the sheet when they are given; what is thin answers to that.
-            assert!(off(&there) < 1e-9 && there.1 == here.1, "{:.1e} in {}", off(&there), there.1);
+            // One iteration more or less where a residual lies at its bound but for rounding.
+            assert!(
+                off(&there) < 1e-9 && there.1.abs_diff(here.1) <= 1,
+                "{:.1e} in {}",
+                off(&there),
+                there.1
+            );
             // What supports that turn bear adds up to nothing.
             assert!(turned || borne < 1e-8, "{borne:.1e}");
             // Without an origin displacements are rounded as places are, and nothing comes to rest.
