@@ -10,6 +10,7 @@ use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 use lanes::{Lanes, Sweep, widest};
 
+use super::room::Room;
 use super::tree::{Tree, Work};
 use super::walk::upward;
 
@@ -21,8 +22,8 @@ const TILE: usize = 48;
 const WORTH_SHARING: usize = 1_000_000;
 
 /// Factors a matrix, given by its entries, into the values of a tree.
-pub(super) fn eliminate(tree: &Tree, matrix: &[f64], values: &mut [f64], room: &mut [f64]) {
-    upward(tree, Work::Factor, 0..tree.count(), values, room, &|s, own, left, update, scratch| {
+pub(super) fn eliminate((tree, sizes): (&Tree, &Room), matrix: &[f64], values: &mut [f64], room: &mut [f64]) {
+    upward((tree, sizes), Work::Factor, 0..tree.count(), values, room, &|s, own, left, update, scratch| {
         let (width, below) = (tree.width(s), tree.rows(s).len());
         own.fill(0.0);
         for &(entry, place) in tree.entries(s) {

@@ -15,12 +15,14 @@ use faer::sparse::linalg::cholesky::SymbolicCholesky;
 use faer::{Par, Side};
 
 use crate::inertia::Inertia;
-pub(crate) use tree::multiplications;
+use room::Room;
 use tree::{Tree, Work};
 
 /// A factor, for one symbolic analysis.
 pub(crate) struct Factor {
     tree: Tree,
+    /// What work along it needs at a time.
+    sizes: Room,
     /// The unknown at each place of the order of elimination.
     order: Option<Vec<usize>>,
     values: Vec<f64>,
@@ -39,16 +41,18 @@ impl Factor {
         matrix: faer::sparse::SymbolicSparseColMatRef<usize>,
     ) -> Self {
         let tree = Tree::new(symbolic, matrix);
+        let sizes = Room::of(&tree);
         let columns = tree.columns();
         Self {
             order: symbolic.perm().map(|perm| perm.arrays().0.to_vec()),
             values: vec![0.0; tree.values()],
-            room: vec![0.0; tree.room(Work::Factor)],
+            room: vec![0.0; sizes.of_all(Work::Factor)],
             subdiagonal: vec![0.0; columns],
             exchanged: false,
             forward: (0..columns).collect(),
             inverse: (0..columns).collect(),
             tree,
+            sizes,
         }
     }
 
@@ -59,7 +63,7 @@ impl Factor {
 
     /// Factors the values of the matrix without exchanging pivots. One that is zero leaves numbers that are not finite.
     pub fn eliminate(&mut self, matrix: &[f64]) {
-        eliminate::eliminate(&self.tree, matrix, &mut self.values, &mut self.room);
+        eliminate::eliminate((&self.tree, &self.sizes), matrix, &mut self.values, &mut self.room);
         self.exchanged = false;
         self.subdiagonal.fill(0.0);
     }

@@ -14,23 +14,30 @@ const FOUR: usize = 4;
 impl Factor {
     /// Solves with the factor in place, for each of some right sides the same bits as alone.
     pub fn substitute<const R: usize>(&self, rights: [&mut [f64]; R]) {
-        let tree = &self.tree;
+        let (tree, sizes) = (&self.tree, &self.sizes);
         let order = |place: usize| self.order.as_ref().map_or(place, |order| order[place]);
         let mut x: Vec<[f64; R]> = Vec::with_capacity(tree.columns());
         x.extend((0..tree.columns()).map(|place| std::array::from_fn(|r| rights[r][order(place)])));
-        let mut room = vec![[0.0; R]; tree.room(Work::Forward).max(tree.room(Work::Back))];
-        upward(tree, Work::Forward, 0..tree.count(), &mut x, &mut room, &|s, own, left, update, scratch| {
-            let width = tree.width(s);
-            let front = &mut scratch[..tree.height(s)];
-            front[..width].copy_from_slice(own);
-            front[width..].fill([0.0; R]);
-            take_left(tree, s, left, front);
-            self.exchange(s, front, own);
-            widest(Forward { columns: self.columns(s), width, front });
-            own.copy_from_slice(&front[..width]);
-            update.copy_from_slice(&front[width..]);
-        });
-        downward(tree, 0..tree.count(), &mut x, &[], &mut room, &|s, own, above, front| {
+        let mut room = vec![[0.0; R]; sizes.of_all(Work::Forward).max(sizes.of_all(Work::Back))];
+        upward(
+            (tree, sizes),
+            Work::Forward,
+            0..tree.count(),
+            &mut x,
+            &mut room,
+            &|s, own, left, update, scratch| {
+                let width = tree.width(s);
+                let front = &mut scratch[..tree.height(s)];
+                front[..width].copy_from_slice(own);
+                front[width..].fill([0.0; R]);
+                take_left(tree, s, left, front);
+                self.exchange(s, front, own);
+                widest(Forward { columns: self.columns(s), width, front });
+                own.copy_from_slice(&front[..width]);
+                update.copy_from_slice(&front[width..]);
+            },
+        );
+        downward((tree, sizes), 0..tree.count(), &mut x, &[], &mut room, &|s, own, above, front| {
             let width = tree.width(s);
             front[..width].copy_from_slice(own);
             self.divide(s, &mut front[..width]);

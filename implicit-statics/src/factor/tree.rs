@@ -1,4 +1,4 @@
-//! The tree of supernodes: which takes what from which, and how much room that takes.
+//! The tree of supernodes: which takes what from which.
 //!
 //! A supernode is a run of columns with the same rows below them. Its *front* is its columns and those rows. The parent of a supernode
 //! has its first row below among its columns, and all of its rows in its own front: what it leaves goes to the parent alone
@@ -9,8 +9,7 @@ use std::ops::Range;
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::cholesky::SymbolicCholesky;
 
-use super::room::Room;
-use crate::symbolic::supernodes;
+use crate::symbolic::{multiplications_of, supernodes};
 
 /// Children are two tasks where each has at least this many multiplications: a task costs microseconds.
 const WORTH_A_TASK: f64 = 2e5;
@@ -57,7 +56,6 @@ pub(crate) struct Tree {
     tasks: Lists<u32>,
     /// Entries of the matrix in the columns of each: their number, their place among its values.
     entries: Lists<(u32, u32)>,
-    room: Room,
 }
 
 /// A supernode: its columns `begin..end`, the rows below them, and its values.
@@ -111,12 +109,10 @@ impl Tree {
             middle: Vec::new(),
             tasks: Lists::new(std::iter::empty::<Vec<u32>>()),
             entries: Lists::new(std::iter::empty::<Vec<(u32, u32)>>()),
-            room: Room::default(),
         };
         debug_assert!((0..=count).all(|s| tree.is_in_postorder(s)));
         tree.connect(symbolic, matrix, &of);
         tree.share();
-        tree.room = Room::of(&tree);
         tree
     }
 
@@ -185,20 +181,10 @@ impl Tree {
             }
             self.middle.push(middle);
             if s < count {
-                work[s] = all + multiplications(self.width(s), self.rows(s).len());
+                work[s] = all + multiplications_of(self.width(s), self.rows(s).len());
             }
         }
         self.tasks = Lists::new(tasks);
-    }
-
-    /// Numbers that the whole of some work needs at a time.
-    pub fn room(&self, work: Work) -> usize {
-        self.room.of_all(work)
-    }
-
-    /// Numbers that the two tasks below a supernode need, each for itself.
-    pub fn rooms(&self, s: usize, work: Work) -> [usize; 2] {
-        self.room.of_tasks(s, work)
     }
 
     /// Number of supernodes; as a supernode it stands for the parent of the roots.
@@ -302,12 +288,6 @@ impl Tree {
             values: &values[self.place[s]..self.place[s + 1]],
         }
     }
-}
-
-/// Multiplications of the factor of a supernode: each column updates half a square as large as what is below it.
-pub(crate) fn multiplications(width: usize, below: usize) -> f64 {
-    let (width, below) = (width as f64, below as f64);
-    width * (width * width / 6.0 + 0.5 * width * below + 0.5 * below * below)
 }
 
 fn in_runs(places: impl Iterator<Item = usize>) -> Vec<Run> {

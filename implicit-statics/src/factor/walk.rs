@@ -1,8 +1,9 @@
-//! Along the tree: from the leaves to the roots, and back. The order of all that is summed is told by the tree, whatever the threads.
+//! Along the tree: from the leaves to the roots, and back. The order of all that is summed is that of the tree, whatever the threads.
 
 use std::mem::take;
 use std::ops::Range;
 
+use super::room::Room;
 use super::tree::{Tree, Work};
 
 /// Visits supernodes of a range of whole subtrees, children first: `visit(s, own, left, update, scratch)` with the supernode's own
@@ -10,7 +11,7 @@ use super::tree::{Tree, Work};
 ///
 /// The updates of those without a parent in the range stand at the start of the room in the end.
 pub(super) fn upward<T: Copy + Send>(
-    tree: &Tree,
+    (tree, sizes): (&Tree, &Room),
     work: Work,
     range: Range<usize>,
     mut own: &mut [T],
@@ -23,11 +24,11 @@ pub(super) fn upward<T: Copy + Send>(
             let middle = tree.middle(node);
             let (below, rest) = take(&mut own).split_at_mut(tree.extent(s..node, work));
             let (first, second) = below.split_at_mut(tree.extent(s..middle, work));
-            let [a, b] = tree.rooms(node, work);
+            let [a, b] = sizes.of_tasks(node, work);
             let (room_a, room_b) = room[held..held + a + b].split_at_mut(a);
             parallel::both(
-                || upward(tree, work, s..middle, first, room_a, visit),
-                || upward(tree, work, middle..node, second, room_b, visit),
+                || upward((tree, sizes), work, s..middle, first, room_a, visit),
+                || upward((tree, sizes), work, middle..node, second, room_b, visit),
             );
             let of = |child: &u32| tree.update(*child as usize, work);
             let (one, other): (Vec<u32>, Vec<u32>) =
@@ -52,7 +53,7 @@ pub(super) fn upward<T: Copy + Send>(
 /// Visits supernodes of a range of whole subtrees, parents first: `visit(s, own, above, front)` with the supernode's own numbers, the
 /// front of its parent as `visit` left it, and its own front to be filled. `above` is the front of the parent of the last.
 pub(super) fn downward<T: Copy + Send + Sync>(
-    tree: &Tree,
+    (tree, sizes): (&Tree, &Room),
     range: Range<usize>,
     mut own: &mut [T],
     above: &[T],
@@ -90,10 +91,10 @@ pub(super) fn downward<T: Copy + Send + Sync>(
                 let (one, other) = below.split_at_mut(tree.extent(first..middle, Work::Back));
                 let (held, free) = room.split_at_mut(start + height);
                 let front = &held[start..];
-                let (room_a, room_b) = free.split_at_mut(tree.rooms(s, Work::Back)[0]);
+                let (room_a, room_b) = free.split_at_mut(sizes.of_tasks(s, Work::Back)[0]);
                 parallel::both(
-                    || downward(tree, first..middle, one, front, room_a, visit),
-                    || downward(tree, middle..s, other, front, room_b, visit),
+                    || downward((tree, sizes), first..middle, one, front, room_a, visit),
+                    || downward((tree, sizes), middle..s, other, front, room_b, visit),
                 );
                 (own, s) = (rest, first);
                 (fronts, start)
