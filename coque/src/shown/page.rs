@@ -6,8 +6,9 @@ use viewer::{Body, Column, Instant, Show};
 use super::folder::{Along, short};
 use crate::{Curve, Sheet};
 
-/// What is looked at first, where it is there: what breaks, what flows, how much a material bears.
-const WANTED: [&str; 5] = ["damage", "pressure", "von_mises", "von_mises_top", "von_mises_bottom"];
+/// What is looked at first, where it is there: what heat does, what breaks, what flows, how much a material bears.
+const WANTED: [&str; 6] =
+    ["temperature", "damage", "pressure", "von_mises", "von_mises_top", "von_mises_bottom"];
 
 /// The frames of a run on their way to a page: each is begun, then each body is added to it.
 ///

@@ -128,7 +128,7 @@ fn a_dam_break_takes_little_room_and_is_seen_straight() {
 }
 
 /// A short run of each kind: scene, what is replaced, and the field that is shown first.
-const KINDS: [(&str, &str, &[&str], &str); 9] = [
+const KINDS: [(&str, &str, &[&str], &str); 10] = [
     ("shell", "scenes/ring.toml", &["analysis.static.levels=4", STRESSES], "von_mises (both faces)"),
     ("mesh", "scenes/open-cylinder.toml", &["analysis.static.levels=4", STRESSES], "von_mises (both faces)"),
     ("linear", "scenes/plate.toml", &["output.fields={}"], "displacement"),
@@ -136,6 +136,7 @@ const KINDS: [(&str, &str, &[&str], &str); 9] = [
     ("galerkin", "scenes/thick-ring-solid.toml", &[STRESSES], "von_mises"),
     ("bonds", "scenes/crack-branching.toml", &["analysis.explicit.transient.duration=2e-5"], "damage"),
     ("sheets", "scenes/plate-pd.toml", &["analysis.static.levels=2", "output.fields={}"], "displacement"),
+    ("heat", "scenes/cooled-fin.toml", &["output.fields={}"], "temperature"),
     ("fluid", "scenes/dam-break.toml", &["analysis.explicit.transient.duration=0.1"], "pressure"),
     ("coupled", "scenes/gate.toml", &["analysis.explicit.transient.duration=0.04"], "pressure"),
 ];

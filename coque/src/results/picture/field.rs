@@ -35,12 +35,13 @@ impl Values {
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The field that says most of a sheet: of a fluid the pressure, damage if there is any, the von Mises stress on top if there
+/// The field that says most of a sheet: the temperature of what conducts heat, of a fluid the pressure, damage if there is any, the von Mises stress on top if there
 /// is one, else the displacement.
 pub fn usual_field(sheet: &Sheet) -> &'static str {
     let broken =
         || sheet.point_data.get("damage").is_some_and(|damage| damage.numbers.iter().any(|&x| x.abs() > 0.0));
     match () {
+        () if find(sheet, "temperature").is_some() => "temperature",
         () if find(sheet, "pressure").is_some() => "pressure",
         () if broken() => "damage",
         () if find(sheet, "von_mises_top").is_some() => "von_mises_top",
