@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+mod common;
+
+use common::{forces, moved};
 use contact::{Glue, Glued, Hold, Nearest};
 use nalgebra::Rotation3;
 use sph_core::Vec3;
@@ -47,21 +50,6 @@ fn sample() -> (Glue, Vec<[f64; 3]>) {
 
 fn is_director(place: usize) -> bool {
     (CORNERS.len()..2 * CORNERS.len()).contains(&place)
-}
-
-/// The same after motions of a size.
-fn moved(places: &[[f64; 3]], by: f64) -> Vec<[f64; 3]> {
-    let number = |seed: usize| {
-        let x = libm::sin(12.9898 * seed as f64 + 4.1) * 43758.5453;
-        2.0 * (x - libm::floor(x)) - 1.0
-    };
-    let at = |(a, x): (usize, &[f64; 3])| std::array::from_fn(|k| x[k] + by * number(3 * a + k));
-    places.iter().enumerate().map(at).collect()
-}
-
-fn forces(glue: &Glue, places: &[[f64; 3]]) -> (f64, Vec<[f64; 3]>) {
-    let mut forces = vec![[0.0; 3]; places.len()];
-    (glue.evaluate(places, &mut forces), forces)
 }
 
 /// A rigid motion turns and moves places, and turns directors: 1e-14 of the places, rounding.

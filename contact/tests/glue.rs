@@ -2,14 +2,12 @@
 
 #![allow(clippy::unwrap_used)] // a failed test may stop here
 
+mod common;
+
+use common::{forces, moved, number};
 use contact::{Foot, Glue, Glued, Hold, Nearest};
 use nalgebra::{DMatrix, Rotation3};
 use sph_core::Vec3;
-
-fn number(seed: usize) -> f64 {
-    let x = libm::sin(12.9898 * seed as f64 + 4.1) * 43758.5453;
-    2.0 * (x - libm::floor(x)) - 1.0
-}
 
 /// Two quadrilaterals and a triangle with five points: over them, on one, beyond a rim, over a corner; each on its face alone and on all nodes.
 fn sample() -> (Glue, Vec<[f64; 3]>) {
@@ -47,17 +45,6 @@ fn sample() -> (Glue, Vec<[f64; 3]>) {
         places.push(point.into());
     }
     (Glue::new(glued, &places), places)
-}
-
-/// The same after motions of a size.
-fn moved(places: &[[f64; 3]], by: f64) -> Vec<[f64; 3]> {
-    let at = |(a, x): (usize, &[f64; 3])| std::array::from_fn(|k| x[k] + by * number(3 * a + k));
-    places.iter().enumerate().map(at).collect()
-}
-
-fn forces(glue: &Glue, places: &[[f64; 3]]) -> (f64, Vec<[f64; 3]>) {
-    let mut forces = vec![[0.0; 3]; places.len()];
-    (glue.evaluate(places, &mut forces), forces)
 }
 
 #[test]

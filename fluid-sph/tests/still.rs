@@ -75,22 +75,40 @@ fn block(counts: [usize; 3], spacing: f64) -> Vec<Vec3> {
     all
 }
 
-/// A basin of 1 by .5 in a plane whose floor is a strip, `gap` below the water; walls at both sides.
-fn basin(n: usize, thickness: f64) -> (Vec<Vec3>, Vec<Vec3>, Vec<Screen>, Vec<WetSite>, f64) {
+/// A basin of 1 by .5 in a plane whose floor is a strip of a thickness; walls at both sides.
+fn basin(n: usize, thickness: f64) -> Basin {
     let s = 1.0 / n as f64;
-    let positions = block([n, n / 2, 0], s);
     let side = |x: f64| (0..n).map(move |j| Vec3::new(x, (j as f64 + 0.5) * s, 0.0));
-    let walls = side(-0.5 * s).chain(side(1.0 + 0.5 * s)).collect();
     let y = -0.5 * thickness;
     let corners = [Vec3::new(0.0, y, 0.0), Vec3::new(1.0, y, 0.0), Vec3::zeros()];
-    let screens = vec![Screen { corners, half: 0.5 * thickness }];
     let site = |i: usize| WetSite {
         place: Vec3::new((i as f64 + 0.5) * s, y, 0.0),
         normal: Vec3::y(),
         half: 0.5 * thickness,
         area: s,
     };
-    (positions, walls, screens, (0..n).map(site).collect(), s)
+    Basin {
+        positions: block([n, n / 2, 0], s),
+        walls: side(-0.5 * s).chain(side(1.0 + 0.5 * s)).collect(),
+        screens: vec![Screen { corners, half: 0.5 * thickness }],
+        sites: (0..n).map(site).collect(),
+        spacing: s,
+    }
+}
+
+struct Basin {
+    positions: Vec<Vec3>,
+    walls: Vec<Vec3>,
+    screens: Vec<Screen>,
+    sites: Vec<WetSite>,
+    spacing: f64,
+}
+
+impl Basin {
+    fn parts(&self, density: f64) -> StillParts<'_> {
+        let Self { positions, walls, screens, sites, spacing } = self;
+        StillParts { dimensions: 2, spacing: *spacing, density, width: 1.0, positions, walls, screens, sites }
+    }
 }
 
 /// The column over a floor that moves as one is all of its mass; a floor as cos(kx) moves ρ tanh(kH)/2k of it.
@@ -99,24 +117,14 @@ fn the_floor_of_a_basin() {
     for thickness in [0.02, 0.2] {
         let mut errors = Vec::new();
         for n in [20, 40] {
-            let (positions, walls, screens, sites, spacing) = basin(n, thickness);
-            let parts = StillParts {
-                dimensions: 2,
-                spacing,
-                density: 3.0,
-                width: 1.0,
-                positions: &positions,
-                walls: &walls,
-                screens: &screens,
-                sites: &sites,
-            };
-            let water = StillWater::new(&parts).unwrap();
+            let basin = basin(n, thickness);
+            let water = StillWater::new(&basin.parts(3.0)).unwrap();
             assert_eq!(water.cells, n * n / 2);
-            let whole = mass(&water, &sites, &|_| 1.0);
+            let whole = mass(&water, &basin.sites, &|_| 1.0);
             assert!((whole / 1.5 - 1.0).abs() < 1e-9, "{whole}");
             let k = 2.0 * PI;
             let exact = 3.0 * libm::tanh(0.5 * k) / (2.0 * k);
-            errors.push(mass(&water, &sites, &|x| libm::cos(k * x.x)) / exact - 1.0);
+            errors.push(mass(&water, &basin.sites, &|x| libm::cos(k * x.x)) / exact - 1.0);
         }
         // Second order: (ks)²/24 of the differences along the floor and (ks)²/8 of the half spacing before it, 1.6 % here.
         println!("floor as cos kx: {errors:?}");
@@ -205,17 +213,9 @@ fn a_clamped_disc_in_a_wall() {
 /// What cannot be solved is said.
 #[test]
 fn refusals() {
-    let (positions, walls, screens, sites, spacing) = basin(10, 0.02);
-    let parts = StillParts {
-        dimensions: 2,
-        spacing,
-        density: 1.0,
-        width: 1.0,
-        positions: &positions,
-        walls: &walls,
-        screens: &screens,
-        sites: &sites,
-    };
+    let basin = basin(10, 0.02);
+    let (parts, spacing) = (basin.parts(1.0), basin.spacing);
+    let Basin { positions, walls, sites, .. } = &basin;
     let mut lid = walls.clone();
     lid.extend((0..10).map(|i| Vec3::new((i as f64 + 0.5) * spacing, 0.5 + 0.5 * spacing, 0.0)));
     let shut = StillWater::new(&StillParts { walls: &lid, ..parts });
@@ -236,17 +236,9 @@ fn refusals() {
 /// Water in a wall and water twice at one place are said with the place.
 #[test]
 fn filled_places_are_refused() {
-    let (positions, walls, screens, sites, spacing) = basin(10, 0.02);
-    let parts = StillParts {
-        dimensions: 2,
-        spacing,
-        density: 1.0,
-        width: 1.0,
-        positions: &positions,
-        walls: &walls,
-        screens: &screens,
-        sites: &sites,
-    };
+    let basin = basin(10, 0.02);
+    let (parts, spacing) = (basin.parts(1.0), basin.spacing);
+    let Basin { positions, walls, .. } = &basin;
     let place = positions[7];
     let mut twice = positions.clone();
     twice.push(place);
@@ -264,23 +256,13 @@ fn filled_places_are_refused() {
 #[test]
 fn the_column_reaches_over_a_gap() {
     for part in [0.2, 0.4] {
-        let (positions, walls, mut screens, mut sites, spacing) = basin(20, 0.02);
-        let down = Vec3::y() * (part * spacing);
-        screens.iter_mut().flat_map(|own| &mut own.corners[..2]).for_each(|corner| *corner -= down);
-        sites.iter_mut().for_each(|own| own.place -= down);
-        let parts = StillParts {
-            dimensions: 2,
-            spacing,
-            density: 3.0,
-            width: 1.0,
-            positions: &positions,
-            walls: &walls,
-            screens: &screens,
-            sites: &sites,
-        };
-        let water = StillWater::new(&parts).unwrap();
-        let whole = mass(&water, &sites, &|_| 1.0);
+        let mut basin = basin(20, 0.02);
+        let down = Vec3::y() * (part * basin.spacing);
+        basin.screens.iter_mut().flat_map(|own| &mut own.corners[..2]).for_each(|corner| *corner -= down);
+        basin.sites.iter_mut().for_each(|own| own.place -= down);
+        let water = StillWater::new(&basin.parts(3.0)).unwrap();
+        let whole = mass(&water, &basin.sites, &|_| 1.0);
         // As the basin without a gap, to what conjugate gradients leave.
-        assert!((whole / (3.0 * (0.5 + part * spacing)) - 1.0).abs() < 1e-9, "{part}: {whole}");
+        assert!((whole / (3.0 * (0.5 + part * basin.spacing)) - 1.0).abs() < 1e-9, "{part}: {whole}");
     }
 }

@@ -1,8 +1,8 @@
-//! Two sheets of unlike cells that may touch.
+//! Numbers without structure, glued points moved by them, two sheets of unlike cells that may touch.
 
 #![allow(dead_code)] // each test uses some
 
-use contact::{Law, Mesh, Node, SurfaceContact, SurfaceTouch, Touching};
+use contact::{Glue, Law, Mesh, Node, SurfaceContact, SurfaceTouch, Touching};
 use nalgebra::{Matrix3, Rotation3};
 use sph_core::{Cell, Vec3};
 
@@ -13,6 +13,18 @@ pub const TOUCHING: Touching =
 pub fn number(seed: usize) -> f64 {
     let x = libm::sin(12.9898 * seed as f64 + 4.1) * 43758.5453;
     2.0 * (x - libm::floor(x)) - 1.0
+}
+
+/// Places after motions of a size.
+pub fn moved(places: &[[f64; 3]], by: f64) -> Vec<[f64; 3]> {
+    let at = |(a, x): (usize, &[f64; 3])| std::array::from_fn(|k| x[k] + by * number(3 * a + k));
+    places.iter().enumerate().map(at).collect()
+}
+
+/// Energy and forces of glue.
+pub fn forces(glue: &Glue, places: &[[f64; 3]]) -> (f64, Vec<[f64; 3]>) {
+    let mut forces = vec![[0.0; 3]; places.len()];
+    (glue.evaluate(places, &mut forces), forces)
 }
 
 /// Squares of a size over a corner of a plane, turned in it, each node moved off its place by a part of a cell.
