@@ -61,10 +61,13 @@ impl WedgeOnSpring {
         rows
     }
 
-    /// Where it turns back.
+    /// Where it turns back; none where it does not within a million steps.
     pub fn turn(&self, flow: &WedgeEntry, step: f64) -> Option<Turn> {
         let rows = self.course(flow, step);
         let [.., [time, before, fast], [_, _, back]] = rows[..] else { return None };
+        if back > 0.0 {
+            return None;
+        }
         // The speed falls along a straight line within the last step.
         let part = fast / (fast - back) * step;
         let depth = before + 0.5 * part * fast;
@@ -90,6 +93,12 @@ mod tests {
         let omega = (WEDGE.stiffness / WEDGE.mass).sqrt();
         assert!((turn.time * omega / (0.5 * std::f64::consts::PI) - 1.0).abs() < 1e-5, "{turn:?}");
         assert!((turn.depth * omega - 1.0).abs() < 1e-6 && (turn.spring - 1.0).abs() < 1e-6, "{turn:?}");
+    }
+
+    /// Without a spring and water nothing turns it.
+    #[test]
+    fn what_nothing_holds_does_not_turn() {
+        assert!(WedgeOnSpring { stiffness: 0.0, ..WEDGE }.turn(&flow(0.0, 0.0), 1e-3).is_none());
     }
 
     /// Water that does not pull leaves the wedge to its spring: the energy of both is then the same to the end. It takes more from the wedge than water that pulls.

@@ -126,6 +126,8 @@ pub enum WarningKind {
     LargeStrain,
     /// A linear answer that is not small.
     LargeLinear,
+    /// Temperatures that swing over beside what is held where it jumps.
+    HeatOvershoot,
     /// Numbers of a material that stay those of the whole heat while its part goes with the level.
     WholeHeat,
     /// Faces that are far in each other.
@@ -224,6 +226,7 @@ impl WarningKind {
             Self::ShearLocking => "shear-locking",
             Self::LargeStrain => "large-strain",
             Self::LargeLinear => "large-linear",
+            Self::HeatOvershoot => "heat-overshoot",
             Self::WholeHeat => "whole-heat",
             Self::DeepContact => "deep-contact",
             Self::CoarseContact => "coarse-contact",
@@ -328,6 +331,7 @@ mod tests {
             WarningKind::ShearLocking,
             WarningKind::LargeStrain,
             WarningKind::LargeLinear,
+            WarningKind::HeatOvershoot,
             WarningKind::WholeHeat,
             WarningKind::DeepContact,
             WarningKind::CoarseContact,

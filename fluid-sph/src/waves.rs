@@ -130,7 +130,6 @@ mod tests {
         }
     }
 
-    // into `mod tests` of the file
     /// On both sides of the depth from which exponentials stand for hyperbolic functions, kd = 300, formulas are their limits to rounding, and far beyond finite:
     /// 2 of a piston, 2 − 2/kd of a flap, half of the speed of the wave of the group.
     #[test]

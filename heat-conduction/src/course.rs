@@ -45,6 +45,7 @@ pub struct HeatCourse {
     time: f64,
     came: HeatBalance,
     stored: f64,
+    overshoot: f64,
     error: f64,
     steps: u64,
     solves: usize,
@@ -100,6 +101,11 @@ impl HeatCourse {
         let entering = of.entering(&given, &values);
         let found = of.found(&system, &given, (&values, &entering), 0);
         let came = HeatBalance { held: stored, ..HeatBalance::default() };
+        let known =
+            of.conductor.at_nodes(temperatures).into_iter().chain(given.held.iter().copied().flatten());
+        let [least, most] =
+            known.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], t| [low.min(t), high.max(t)]);
+        let overshoot = found.values.iter().fold(0.0, |far: f64, t| far.max(t - most).max(least - t));
         Ok(Self {
             system,
             capacity,
@@ -107,6 +113,7 @@ impl HeatCourse {
             time: 0.0,
             came,
             stored,
+            overshoot,
             error: 0.0,
             steps: 0,
             solves: 0,
@@ -191,6 +198,12 @@ impl HeatCourse {
     /// Heat that is stored since the start \[F L\].
     pub fn stored(&self) -> f64 {
         self.stored
+    }
+
+    /// How far nodes are at the start beyond the temperatures that they had and those at which some are held \[Θ\]: where shape functions carry a body they swing beside a
+    /// jump.
+    pub fn overshoot(&self) -> f64 {
+        self.overshoot
     }
 
     /// Sum of the estimates of all steps, the greatest of the body each \[Θ\].

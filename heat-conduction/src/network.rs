@@ -25,7 +25,7 @@ impl Network {
         &self.pairs
     }
 
-    /// Nodes that conduct to each other, directly or through others: one list a piece, ascending; nodes without a pair are none.
+    /// Nodes that conduct to each other, directly or through others: one list a piece, ascending; a node without a pair is one.
     pub fn pieces(&self) -> Vec<Vec<u32>> {
         let mut root: Vec<u32> = (0..self.own.len() as u32).collect();
         fn find(root: &mut [u32], mut a: u32) -> u32 {
@@ -35,14 +35,12 @@ impl Network {
             }
             a
         }
-        let mut joined = vec![false; self.own.len()];
         for &(a, b, _) in self.pairs.iter().filter(|pair| pair.2 != 0.0) {
             let (first, second) = (find(&mut root, a), find(&mut root, b));
             root[first.max(second) as usize] = first.min(second);
-            (joined[a as usize], joined[b as usize]) = (true, true);
         }
         let mut pieces: Vec<Vec<u32>> = vec![Vec::new(); self.own.len()];
-        for a in (0..self.own.len() as u32).filter(|&a| joined[a as usize]) {
+        for a in 0..self.own.len() as u32 {
             pieces[find(&mut root, a) as usize].push(a);
         }
         pieces.retain(|piece| !piece.is_empty());
@@ -56,7 +54,7 @@ impl Conducts for Network {
     }
 
     fn visit(&self, _temperatures: &[f64], mut found: impl FnMut(Entry)) {
-        for (a, &value) in (0..).zip(&self.own).filter(|(_, value)| **value != 0.0) {
+        for (a, &value) in (0..).zip(&self.own) {
             found(Entry { row: a, column: a, value, factor: 1.0 });
         }
         for &(a, b, conductance) in &self.pairs {

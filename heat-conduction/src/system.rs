@@ -14,6 +14,8 @@ pub(super) struct System {
     /// Place in `terms` of each parameter, one up; zero of those that are held or none.
     of: Vec<u32>,
     held: Vec<Eliminated>,
+    /// Parameters that each couples with, ascending.
+    coupled: Vec<Vec<u32>>,
     pattern: Vec<(usize, usize)>,
     /// Where each row of the pattern begins.
     rows: Vec<usize>,
@@ -48,23 +50,39 @@ impl System {
             terms.push(own.terms.iter().map(|&(a, t)| (unknown[a as usize], t)).collect());
             places[own.parameter as usize] = terms.len() as u32;
         }
-        let mut pattern: Vec<(usize, usize)> = (0..free.len()).map(|i| (i, i)).collect();
-        let mut couple = |a: u32, b: u32| {
-            for_pairs(&terms, &places, (a, b), |row, column, _| pattern.push((row, column)));
-        };
-        of.conductor.visit(&rest, |entry| couple(entry.row, entry.column));
-        capacity.iter().flat_map(|capacity| &capacity.pairs).for_each(|&(a, b, _)| {
-            couple(a, b);
-            couple(b, a);
-        });
-        for place in of.places.iter().flatten() {
-            place.iter().for_each(|&(a, _)| place.iter().for_each(|&(b, _)| couple(a, b)));
+        let mut coupled: Vec<Vec<u32>> = vec![Vec::new(); count];
+        of.conductor.visit(&rest, |entry| put_once(&mut coupled[entry.row as usize], entry.column));
+        for &(a, b, _) in capacity.iter().flat_map(|capacity| &capacity.pairs) {
+            put_once(&mut coupled[a as usize], b);
+            put_once(&mut coupled[b as usize], a);
         }
-        pattern.sort_unstable();
-        pattern.dedup();
+        for place in of.places.iter().flatten() {
+            for &(a, _) in place {
+                place.iter().for_each(|&(b, _)| put_once(&mut coupled[a as usize], b));
+            }
+        }
+        coupled.iter_mut().for_each(sort_once);
+        let mut lower: Vec<Vec<u32>> = (0..free.len() as u32).map(|row| vec![row]).collect();
+        let mut columns = Vec::new();
+        for (a, coupled) in (0..).zip(&coupled) {
+            columns.clear();
+            coupled
+                .iter()
+                .for_each(|&b| columns.extend(terms_of(&terms, &places, b).iter().map(|own| own.0)));
+            sort_once(&mut columns);
+            for &(row, _) in terms_of(&terms, &places, a) {
+                let before = columns.iter().take_while(|column| **column <= row);
+                before.for_each(|&column| put_once(&mut lower[row as usize], column));
+            }
+        }
+        lower.iter_mut().for_each(sort_once);
+        let of_row = |(row, columns): (usize, &Vec<u32>)| -> Vec<(usize, usize)> {
+            columns.iter().map(|&column| (row, column as usize)).collect()
+        };
+        let pattern: Vec<(usize, usize)> = lower.iter().enumerate().flat_map(of_row).collect();
         let rows = (0..=free.len()).map(|row| pattern.partition_point(|own| own.0 < row)).collect();
         let solver = SymmetricSolver::new(free.len(), &pattern)?;
-        Ok(Self { free, terms, of: places, held, pattern, rows, solver })
+        Ok(Self { free, terms, of: places, held, coupled, pattern, rows, solver })
     }
 
     /// Puts parameters that are held where nodes are held and free ones are.
@@ -127,14 +145,12 @@ impl System {
         temperatures: &[f64],
         (factor, capacity): (f64, Option<&Capacity>),
     ) -> Result<(), ConductionError> {
-        let mut values = vec![0.0; self.pattern.len()];
+        // Of the parameters first, then of the unknowns, row by row.
+        let mut blocks: Vec<Vec<f64>> = self.coupled.iter().map(|own| vec![0.0; own.len()]).collect();
         let mut add = |a: u32, b: u32, value: f64| {
-            for_pairs(&self.terms, &self.of, (a, b), |row, column, weight| {
-                let own = &self.pattern[self.rows[row]..self.rows[row + 1]];
-                if let Ok(at) = own.binary_search(&(row, column)) {
-                    values[self.rows[row] + at] += weight * value;
-                }
-            });
+            if let Ok(at) = self.coupled[a as usize].binary_search(&b) {
+                blocks[a as usize][at] += value;
+            }
         };
         of.conductor.visit(temperatures, |entry| {
             let factor = factor * entry.factor;
@@ -161,6 +177,26 @@ impl System {
             add(a, b, c);
             add(b, a, c);
         }
+        let mut values = vec![0.0; self.pattern.len()];
+        let (mut sums, mut columns) = (vec![0.0; self.free.len()], Vec::new());
+        for (a, (coupled, block)) in (0..).zip(self.coupled.iter().zip(&blocks)) {
+            for (&b, value) in coupled.iter().zip(block) {
+                for &(column, weight) in self.at(b) {
+                    sums[column as usize] += weight * value;
+                    columns.push(column);
+                }
+            }
+            sort_once(&mut columns);
+            for &(row, weight) in self.at(a) {
+                let own = self.rows[row as usize]..self.rows[row as usize + 1];
+                let (mut at, before) = (own.start, columns.iter().take_while(|column| **column <= row));
+                for &column in before {
+                    at += self.pattern[at..own.end].partition_point(|place| place.1 < column as usize);
+                    values[at] += weight * sums[column as usize];
+                }
+            }
+            columns.drain(..).for_each(|column| sums[column as usize] = 0.0);
+        }
         self.solver.factor(&values)?;
         Ok(())
     }
@@ -171,17 +207,16 @@ fn terms_of<'a>(terms: &'a [Vec<(u32, f64)>], of: &[u32], parameter: u32) -> &'a
     place.map_or(&[], |place| terms[place].as_slice())
 }
 
-/// Entries of the lower triangle of the unknowns that one of two parameters makes, each with its weight.
-fn for_pairs(
-    terms: &[Vec<(u32, f64)>],
-    of: &[u32],
-    (a, b): (u32, u32),
-    mut found: impl FnMut(usize, usize, f64),
-) {
-    let columns = terms_of(terms, of, b);
-    for &(row, left) in terms_of(terms, of, a) {
-        for &(column, right) in columns.iter().filter(|(column, _)| *column <= row) {
-            found(row as usize, column as usize, left * right);
-        }
+/// Puts a number into a list that has it twice at most some times.
+fn put_once(list: &mut Vec<u32>, number: u32) {
+    if list.len() == list.capacity() {
+        sort_once(list);
+        list.reserve(list.len().max(8));
     }
+    list.push(number);
+}
+
+fn sort_once(list: &mut Vec<u32>) {
+    list.sort_unstable();
+    list.dedup();
 }

@@ -128,13 +128,15 @@ fn sums_of_parameters_find_the_course_of_nodes() {
 fn pieces_and_contradictions_are_named() {
     let mut two = Conduction::new(Network::new(5, vec![(0, 1, 1.0), (3, 2, 1.0)]));
     let pieces = two.conductor().pieces();
-    assert_eq!(pieces, [vec![0, 1], vec![2, 3]]);
+    assert_eq!(pieces, [vec![0, 1], vec![2, 3], vec![4]]);
     two.hold(&[1], 4.0).unwrap();
     assert_eq!(two.untold(&pieces), Some(2));
     let other = two.hold(&[1], 5.0);
     assert!(matches!(other, Err(ConductionError::Contradiction { particle: 1, .. })), "{other:?}");
     two.film(3, 1.0, 8.0);
+    assert_eq!(two.untold(&pieces), Some(4));
+    two.film(4, 2.0, 9.0);
     assert_eq!(two.untold(&pieces), None);
     let found = two.steady().unwrap();
-    assert!(off(&found.values[..4], &[4.0, 4.0, 8.0, 8.0]) < 1e-12);
+    assert!(off(&found.values, &[4.0, 4.0, 8.0, 8.0, 9.0]) < 1e-12);
 }

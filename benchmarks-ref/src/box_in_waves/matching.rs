@@ -23,7 +23,7 @@ pub(super) struct Matching {
     squares: Vec<f64>,
     /// On the side of the box the integrals of fₙ, and of its height over the centre.
     side: [Vec<f64>; 2],
-    /// N₀.
+    /// N₀/cosh kh.
     norm: f64,
 }
 
@@ -64,13 +64,19 @@ impl Matching {
         let squares = (0..terms).map(|m| if m == 0 { gap } else { 0.5 * gap }).collect();
         let count = BESIDE * terms;
         let (mut outer, mut products) = (vec![-I * k], DMatrix::zeros(count, terms));
-        let norm = (0.5 * h + libm::sinh(2.0 * k * h) / (4.0 * k)).sqrt();
+        // Of f₀, sinh and cosh over cosh kh, which are finite in deep water.
+        let below = libm::exp(-2.0 * k * h);
+        let sides =
+            |z: f64| [libm::exp(k * (z - h)) / (1.0 + below), libm::exp(-k * (z + h)) / (1.0 + below)];
+        let sinh = |z: f64| sides(z)[0] - sides(z)[1];
+        let cosh = |z: f64| sides(z)[0] + sides(z)[1];
+        let norm = (2.0 * h * below / ((1.0 + below) * (1.0 + below)) + libm::tanh(k * h) / (2.0 * k)).sqrt();
         let centre = h + 0.5 * of.section[1] - of.draught;
-        let turned = |z: f64| z * libm::sinh(k * z) / k - libm::cosh(k * z) / (k * k);
-        let high = (libm::sinh(k * h) - libm::sinh(k * gap)) / (k * norm);
+        let turned = |z: f64| z * sinh(z) / k - cosh(z) / (k * k);
+        let high = (sinh(h) - sinh(gap)) / (k * norm);
         let mut side = [vec![high], vec![(turned(h) - turned(gap)) / norm - centre * high]];
         for (m, lambda) in inner.iter().enumerate() {
-            products[(0, m)] = k * libm::sinh(k * gap) * ends[m] / ((k * k + lambda * lambda) * norm);
+            products[(0, m)] = k * sinh(gap) * ends[m] / ((k * k + lambda * lambda) * norm);
         }
         for n in 1..count {
             let from = (n as f64 - 0.5) * std::f64::consts::PI;
@@ -177,7 +183,7 @@ impl Matching {
         let zero = Complex::ZERO;
         let all = Matrix3::new(ss, zero, sr, zero, hh, zero, rs, zero, rr + turned);
         // A wave of unit amplitude from the left, over f₀: cos kx is even, i sin kx odd.
-        let size = -I * (self.of.gravity / omega / libm::cosh(k * self.of.depth) * self.norm);
+        let size = -I * (self.of.gravity / omega * self.norm);
         let (sine, cosine) = libm::sincos(k * a);
         let even = self.solved(&Given { waves: [size * cosine, -size * k * sine], ..self.nothing(true) })?;
         let mut odd =

@@ -13,7 +13,7 @@
 //! gap, weighed by each cos λₘz, gives B.
 //!
 //! Forces follow from the pressure, `iωρφ`. Where the box moves, they are `−μ a − ν v`, with added mass μ and damping ν: three ways, to the side, up, and the turn about its
-//! centre. The velocity at its lower corners is singular, φ ~ r^⅔, which so many terms tell to some tenths of a per cent: twenty to .2, forty to .1 %.
+//! centre. The velocity at its lower corners is singular, φ ~ r^⅔, which so many terms tell to some tenths of a per cent: by twenty the roll in waves is .4 % off, by forty .15 %, heave and sway .03 %.
 //!
 //! The response to a wave of unit amplitude is `ξ = [C − ω²(M + μ) − iων]⁻¹ X`, C what buoyancy and mooring give. Let go from rest with flat water, velocities are
 //! `(2/π) ∫ Re V cos ωt dω`, `[−iω(M + μ) + ν + iC/ω] V = −iC x₀/ω` \[cummins1962\]. Momentum of the waves far away gives the mean force, `(ρg/2)(1 + |R|² − |T|²) c_g/c`
@@ -227,6 +227,9 @@ mod tests {
     fn a_fast_box_has_half_of_the_added_mass_of_a_square() {
         let deep = BoxInWaves { depth: 1.0, section: [0.2, 0.2], draught: 0.1, ..BOX };
         let [coarse, fine] = [20, 40].map(|terms| deep.coefficients(60.0, terms).unwrap().added[(1, 1)]);
+        // As deep as that hyperbolic functions are not finite.
+        let deeper = BoxInWaves { depth: 1e3, ..deep }.coefficients(60.0, 20).unwrap();
+        assert!(deeper.sent.iter().chain(&deeper.held).all(|part| part.norm().is_finite()));
         let limit = fine + (fine - coarse) / (libm::pow(2.0, ORDER) - 1.0);
         near(limit / 0.02, 1.5134 * std::f64::consts::PI / 4.0, 0.01);
     }

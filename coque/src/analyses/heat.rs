@@ -10,6 +10,7 @@ use crate::run::Run;
 use crate::run::outcome::{Ended, Failure};
 use crate::run::progress::ProgressReport;
 use crate::scene::HeatInTime;
+use crate::warning::WarningKind;
 
 use super::linear::INTERRUPTED;
 
@@ -72,6 +73,14 @@ impl HeatingInTime {
                 run.record.steps = course.steps();
                 run.record.newton_iterations = course.temperatures().iterations as u64;
                 self.time = course.time();
+                if self.next == 0 && course.overshoot() > tolerance.get() {
+                    let message = format!(
+                        "what is held jumps at the start, and temperatures beside it swing over by {:.3e} for as long as heat takes through two spacings; let an `amplitude` \
+                         bring it there, or read later times",
+                        course.overshoot()
+                    );
+                    run.record.warn(WarningKind::HeatOvershoot, message);
+                }
                 columns(course)
             }
         };

@@ -70,7 +70,7 @@ const ROWS: &[Row] = &[
         &["thermal", "temperature", "convection", "conduction"],
         &[],
         Instead(
-            "a shell or a Galerkin solid is warmed by `temperature` of [[loads]] and conducts heat by [[heat]] with [analysis.heat], its material has `expansion`, `conductivity` and, for courses in time, `specific_heat`",
+            "a shell or a Galerkin solid is warmed by `temperature` of [[loads]] and conducts heat by [[heat]] with [analysis.heat], its material has `expansion`, `conductivity` and, for courses in time, `specific_heat`; solids of bonds conduct, and do not expand",
         ),
     ),
     (
@@ -157,7 +157,7 @@ const ROWS: &[Row] = &[
         &["box"],
         NotYet {
             feature: "boxes that stand askew",
-            nearest: "of a rigid body a closed surface from a file, `geometry.mesh`, or a couple that heels it and is taken away, [[loads]] with `couple` and an `amplitude`",
+            nearest: "of a set several boxes or `nearest`; of a rigid body a closed surface from a file, `geometry.mesh`, or a couple that heels it and is taken away, [[loads]] with `couple` and an `amplitude`",
         },
     ),
     (

@@ -9,7 +9,7 @@ use crate::scene::bounded::Positive;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Followed {
-    /// Its directors: a particle stays at `Σ w_i (x_i + ζ d_i)` of the corners of the nearest cell.
+    /// Its directors: a particle stays at the mean about it of `Σ w_i (x_i + ζ d_i)`, of corners of nearest cells, over the faces of the set, or at that of its own place where it has none.
     Director,
 }
 

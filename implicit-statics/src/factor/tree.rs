@@ -174,7 +174,8 @@ impl Tree {
                 }
                 before += work[child as usize];
             }
-            if most < WORTH_A_TASK || most < SHARE_OF_A_TASK * all {
+            // Roots have no parent that would wait for both.
+            if s == count || most < WORTH_A_TASK || most < SHARE_OF_A_TASK * all {
                 middle = s;
             } else {
                 tasks[self.first[s]].push(s as u32);

@@ -153,6 +153,10 @@ impl Equilibrium for GalerkinSolid {
         self.galerkin.commit();
     }
 
+    fn stress_forces(&self, level: f64) -> f64 {
+        self.galerkin.stress_forces(level)
+    }
+
     fn driving_force(&self) -> f64 {
         self.galerkin.driving_force()
     }

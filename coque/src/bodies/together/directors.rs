@@ -11,8 +11,10 @@ use super::near::Raised;
 /// Part of half the thickness beyond that by which a particle may lie: faces from files are round so far.
 const BEYOND: f64 = 0.01;
 
-/// Number of a place that is rounding \[–, of directors L\].
+/// Number of a place that is rounding, of directors over half of the thickness \[–\].
 const ROUNDING: f64 = 1e-14;
+/// Least weight of a corner: a place two cells beyond the rim has −2 of the row behind, one a cell beyond two rims −2 of each.
+const WITHIN: f64 = -2.0 - 1e-9;
 
 /// Places by the numbers of their body, particles and then directors, and how they hold.
 type HeldAt = (Vec<u32>, Hold);
@@ -36,6 +38,8 @@ pub(super) enum Unheld {
     Offset,
     /// It lies so far off the surface, where half of the thickness is this \[L\].
     Beyond { height: f64, half: f64 },
+    /// It lies more than two cells beyond the rim of the shell.
+    PastRim,
     /// Ties or a rigid set turn a director of the shell there.
     Turned,
 }
@@ -68,6 +72,14 @@ impl Unheld {
                 bound: format!(
                     "which must lie within half the thickness of `{to}`, {half:.4e}, to follow its directors; it is {:.4e} off its middle",
                     height.abs()
+                ),
+                repair: "name that part of the face alone, by a box in [sets]",
+            },
+            Self::PastRim => Said {
+                key: "on",
+                value: format!("\"{on}\" with a place at {place}"),
+                bound: format!(
+                    "which must lie within two cells of `{to}`: its last cells are carried on beyond its rim"
                 ),
                 repair: "name that part of the face alone, by a box in [sets]",
             },
@@ -123,7 +135,7 @@ impl Directors {
             cell.iter().zip(&dual.areas).for_each(|(a, area)| sums.entry(*a).or_default().1 += area);
         }
         let mean = |(a, (sum, area)): (u32, (BTreeMap<u32, f64>, f64))| {
-            (a, held(sum.into_iter().map(|(b, number)| (b, number / area))))
+            (a, self.held(sum.into_iter().map(|(b, number)| (b, number / area))))
         };
         Ok(sums.into_iter().map(mean).collect())
     }
@@ -134,7 +146,17 @@ impl Directors {
     /// # Errors
     /// What keeps it from being held.
     pub fn places(&self, raised: &Raised) -> Result<HeldAt, Unheld> {
-        Ok(held(self.numbers(raised)?.into_iter()))
+        Ok(self.held(self.numbers(raised)?.into_iter()))
+    }
+
+    /// Places with numbers that are more than rounding.
+    fn held(&self, all: impl Iterator<Item = (u32, f64)>) -> HeldAt {
+        let size = |b: u32| match (&self.half, (b as usize).checked_sub(self.at.len())) {
+            (Some(half), Some(a)) => half[a],
+            _ => 1.0,
+        };
+        let (places, numbers) = all.filter(|&(b, number)| number.abs() > ROUNDING * size(b)).unzip();
+        (places, Hold::Places(numbers))
     }
 
     fn numbers(&self, raised: &Raised) -> Result<Vec<(u32, f64)>, Unheld> {
@@ -143,16 +165,13 @@ impl Directors {
         if raised.height.abs() > (1.0 + BEYOND) * half {
             return Err(Unheld::Beyond { height: raised.height, half });
         }
+        if raised.weights.iter().any(|&(_, weight)| weight < WITHIN) {
+            return Err(Unheld::PastRim);
+        }
         if raised.weights.iter().any(|&(a, _)| !self.free[a as usize]) {
             return Err(Unheld::Turned);
         }
         let director = |&(a, weight): &(u32, f64)| (self.at.len() as u32 + a, weight * raised.height);
         Ok(raised.weights.iter().copied().chain(raised.weights.iter().map(director)).collect())
     }
-}
-
-/// Places with numbers that are more than rounding.
-fn held(all: impl Iterator<Item = (u32, f64)>) -> HeldAt {
-    let (places, numbers) = all.filter(|(_, number)| number.abs() > ROUNDING).unzip();
-    (places, Hold::Places(numbers))
 }

@@ -32,14 +32,14 @@ const SETTLED: RegularWaves = RegularWaves { period: 1.0, depth: 0.3, from: 5.0,
 /// A box that is held sends three quarters of the height back: from when the full waves are there until what it has sent is back from the piston, by the speed of their groups.
 const HELD: RegularWaves = RegularWaves { from: 4.4, ..SETTLED };
 const DURATION: &str = "7.0";
-/// Middle of the box \[m\], and the gauges of the flume without it, decimetres from the wall, with those between the two of a pair.
+/// Middle of the box \[m\], and the gauges of the flume without it before its beach, decimetres from the wall, with those between the two of a pair.
 const MIDDLE: f64 = 2.11;
-const GAUGES: std::ops::RangeInclusive<u32> = 12..=29;
+const GAUGES: std::ops::RangeInclusive<u32> = 12..=26;
 const APART: usize = 4;
 /// The box; its mooring is 10 N/m for a width of .1 m.
 const BOX: BoxInWaves =
     BoxInWaves { depth: 0.3, section: [0.3, 0.12], draught: 0.06, mooring: 0.1, gravity: 9.81 };
-/// Functions below the box: its motions are within .1 %.
+/// Functions below the box: heave and sway are within .03 %, roll within .15 %.
 const TERMS: usize = 40;
 
 /// A box, its reference, and how far it may be off.
@@ -164,7 +164,7 @@ fn judged(
     }
     if free == [false; 3] {
         let scaled = |way: usize| water.push[way].norm() / BOX.gravity;
-        let reason = "what the box sends back is on its way to it again from the piston; measured 4 to 5 % at both spacings; asked 10 %";
+        let reason = "lost at the corners to vortices, as the height behind it, which was not looked at apart; measured 4 to 5 % at both spacings; asked 10 %";
         for (name, column, way) in [(PUSH, "push", 0), (LIFT, "lift", 1)] {
             let exact = scaled(way);
             metrics.push(compared(name, over(column, WEIGHT)?, exact).within(part(exact, 0.1), reason));

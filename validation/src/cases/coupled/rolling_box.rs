@@ -26,9 +26,9 @@ const BOX: BoxInWaves =
 /// Functions below the box; a couple over the density of water and by width \[L⁴/T²\].
 const TERMS: usize = 20;
 const COUPLE: f64 = 1.5e-3;
-/// When it is let go \[s\], and how long before the heel is read: a half swing.
-const LET_GO: f64 = 2.0;
-const READ: f64 = 0.4;
+/// When it is let go \[s\], and from how long before on the heel is read: two swings, which what is left of them leaves by.
+const LET_GO: f64 = 3.6;
+const READ: f64 = 1.6;
 
 /// Two spacings, their reference, and how far they may differ.
 pub fn case() -> Case {
