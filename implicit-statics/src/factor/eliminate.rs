@@ -6,6 +6,8 @@
 //! ⎣A₂₁  A₂₂⎦ = ⎣L₂₁  1⎦ ⎣   U ⎦ ⎣       1  ⎦      U = A₂₂ − L₂₁ D L₂₁ᵀ goes to the parent
 //! ```
 
+use std::ops::Range;
+
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 use lanes::{Lanes, Sweep, widest};
@@ -14,10 +16,12 @@ use super::room::Room;
 use super::tree::{Tree, Work};
 use super::walk::upward;
 
-/// Columns that are eliminated one by one before the next ones get all that came before in one product.
+/// Columns that are eliminated one by one; more are halved.
 const PANEL: usize = 16;
-/// Columns of an update that are one product: of the square on the diagonal the upper half is made for nothing.
-const TILE: usize = 48;
+/// Columns of a product, and the number of tiles of a large one: each packs its factors anew, and of its square on the diagonal the
+/// upper half is made for nothing, a twelfth of an update in twelve. With 96 at any size large solids take longer (docs/performance.md).
+const TILE: usize = 96;
+const TILES: usize = 12;
 /// Multiplications of an update from which its tiles are shared among threads.
 const WORTH_SHARING: usize = 1_000_000;
 
@@ -30,7 +34,7 @@ pub(super) fn eliminate((tree, sizes): (&Tree, &Room), matrix: &[f64], values: &
             own[place as usize] = matrix[entry as usize];
         }
         take_columns(tree, s, left, own);
-        factor_columns(own, width, scratch);
+        factor_columns(own, width + below, 0..width, scratch);
         leave(own, width, scratch, update);
         take_rest(tree, s, left, update);
         debug_assert_eq!(update.len(), below * below);
@@ -86,42 +90,49 @@ fn add_runs(tree: &Tree, child: usize, column: usize, first: usize, from: &[f64]
     }
 }
 
-/// Eliminates the columns of a front: L below the diagonal, D on it.
-fn factor_columns(own: &mut [f64], width: usize, scratch: &mut [f64]) {
-    let height = own.len() / width;
-    for begin in (0..width).step_by(PANEL) {
-        let end = width.min(begin + PANEL);
-        if begin > 0 {
-            let (before, now) = own.split_at_mut(begin * height);
-            let weighted = weighted_rows(before, height, begin..end, scratch);
-            let now =
-                MatMut::from_column_major_slice_mut(&mut now[..(end - begin) * height], height, end - begin);
-            let before = MatRef::from_column_major_slice(before, height, begin);
-            let rows = height - begin;
-            matmul(
-                now.subrows_mut(begin, rows),
-                Accum::Add,
-                before.subrows(begin, rows),
-                weighted,
-                -1.0,
-                Par::Seq,
-            );
-        }
-        widest(Panel { own, height, begin, end });
+/// Eliminates some columns of a front that have what came before them: L below the diagonal, D on it. The first half is eliminated, the others
+/// get all of it in products, tile by tile, and are eliminated themselves.
+fn factor_columns(own: &mut [f64], height: usize, columns: Range<usize>, scratch: &mut [f64]) {
+    let Range { start: begin, end } = columns;
+    if end - begin <= PANEL {
+        return widest(Panel { own, height, begin, end });
     }
+    let middle = begin + ((end - begin) / 2).next_multiple_of(PANEL);
+    factor_columns(own, height, begin..middle, scratch);
+    let (before, now) = own.split_at_mut(middle * height);
+    let done = &before[begin * height..];
+    let weighted = weighted_rows(done, height, begin, middle..end, scratch);
+    let done = MatRef::from_column_major_slice(done, height, middle - begin);
+    let wide = tile_width(end - middle);
+    let tile = |piece: usize, tile: &mut [f64]| {
+        let (first, count) = (piece * wide, tile.len() / height);
+        let tile = MatMut::from_column_major_slice_mut(tile, height, count);
+        let (row, rows) = (middle + first, height - middle - first);
+        let (tile, done) = (tile.subrows_mut(row, rows), done.subrows(row, rows));
+        matmul(tile, Accum::Add, done, weighted.subcols(first, count), -1.0, Par::Seq);
+    };
+    let shared = (middle - begin) * (end - middle) * (height - middle) >= WORTH_SHARING;
+    parallel::pieces(shared, wide * height, &mut now[..(end - middle) * height], &tile);
+    factor_columns(own, height, middle..end, scratch);
 }
 
-/// `D Lᵀ` for some rows of columns that are done.
+/// Columns of each tile of so many, whole blocks of the products' kernels.
+fn tile_width(columns: usize) -> usize {
+    TILE.max((columns / TILES).next_multiple_of(TILE / 2))
+}
+
+/// `D Lᵀ` for some rows of columns that are done, the first of which is this one of the front.
 fn weighted_rows<'a>(
     done: &[f64],
     height: usize,
-    rows: std::ops::Range<usize>,
+    first: usize,
+    rows: Range<usize>,
     scratch: &'a mut [f64],
 ) -> MatRef<'a, f64> {
     let (width, count) = (done.len() / height, rows.len());
     let weighted = &mut scratch[..width * count];
     for (p, column) in done.chunks_exact(height).enumerate() {
-        let pivot = column[p];
+        let pivot = column[first + p];
         column[rows.clone()].iter().enumerate().for_each(|(k, l)| weighted[k * width + p] = pivot * l);
     }
     MatRef::from_column_major_slice(weighted, width, count)
@@ -173,7 +184,7 @@ fn leave(own: &[f64], width: usize, scratch: &mut [f64], update: &mut [f64]) {
     if below == 0 {
         return;
     }
-    let weighted = weighted_rows(own, height, width..height, scratch);
+    let weighted = weighted_rows(own, height, 0, width..height, scratch);
     let rows = MatRef::from_column_major_slice(own, height, width).subrows(width, below);
     let tile = |first: usize, columns: &mut [f64]| {
         let count = columns.len() / below;
@@ -182,5 +193,6 @@ fn leave(own: &[f64], width: usize, scratch: &mut [f64], update: &mut [f64]) {
         matmul(out, Accum::Replace, rows, weighted.subcols(first, count), -1.0, Par::Seq);
     };
     let shared = width * below * below >= WORTH_SHARING;
-    parallel::pieces(shared, TILE * below, update, &|piece, columns| tile(piece * TILE, columns));
+    let wide = tile_width(below);
+    parallel::pieces(shared, wide * below, update, &|piece, columns| tile(piece * wide, columns));
 }
