@@ -134,6 +134,9 @@ pub enum SolidError {
     /// A plate of two sheets that should conduct heat.
     #[error("a plate of two sheets conducts no heat; take a block of bonds, or a shell")]
     Conduction,
+    /// Heat of what does not expand.
+    #[error("{0}")]
+    Heat(&'static str),
     /// A crack that is none.
     #[error("crack {number} (numbered from 0) {problem}")]
     Crack {

@@ -41,6 +41,7 @@ mod solid;
 mod statics;
 mod time;
 mod unknowns;
+mod warm;
 mod wetted;
 
 pub use conditions::{AppliedLoad, Support, Supported};

@@ -74,3 +74,24 @@ impl Elastic {
         Ok(Moduli { dimensions: space.dimensions(), lambda, mu: young / (2.0 * (1.0 + nu)) })
     }
 }
+
+/// What the strain across a plane, which is held, makes of stresses in it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Across {
+    /// Young's modulus E \[F/L²\].
+    pub young: f64,
+    /// Poisson's ratio ν \[–\].
+    pub poisson: f64,
+}
+
+impl Across {
+    /// Those of a plane without strain across; none of other spaces.
+    pub fn of(material: &Elastic, space: Space) -> Option<Self> {
+        (space == Space::PlaneStrain).then_some(Self { young: material.young, poisson: material.poisson })
+    }
+
+    /// `σ_zz = ν (σ_xx + σ_yy) − E αΔT` \[F/L²\].
+    pub fn stress(self, along: f64, free_strain: f64) -> f64 {
+        self.poisson * along - self.young * free_strain
+    }
+}

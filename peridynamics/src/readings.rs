@@ -14,9 +14,13 @@ impl Solid {
 
     /// Virial stress of a node, for the forces last evaluated \[F/L²\]: `σ = ½ Σ f ⊗ y/V` over its bonds y and their pulls
     /// f, both at present; Kirchhoff's, and at small strains Cauchy's. Where families are cut by a surface it is that of
-    /// the bonds that are there.
+    /// the bonds that are there. In plane strain `σ_zz = ν (σ_xx + σ_yy) − E αΔT`, by Hooke's law; in plane stress it is zero.
     pub fn stress(&self, node: usize) -> Matrix3<f64> {
-        self.mechanics.virial(&self.rows, node) / self.block.volumes[node]
+        let mut stress = self.mechanics.virial(&self.rows, node) / self.block.volumes[node];
+        if let Some(across) = self.across {
+            stress[(2, 2)] = across.stress(stress[(0, 0)] + stress[(1, 1)], self.free_strain(node));
+        }
+        stress
     }
 
     /// Damage of a node: the broken part of its family by volume, zero whole, one free of bonds \[–\].

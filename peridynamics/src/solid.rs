@@ -11,10 +11,12 @@ use crate::constraint::Constraints;
 use crate::error::SolidError;
 use crate::following::FollowingPressure;
 use crate::fracture::Breakage;
+use crate::material::Across;
 use crate::mirror::{Borne, Mirror, Passed};
 use crate::parts::{Idealisation, Parts};
 use crate::share::Share;
 use crate::sheets::Plate;
+use crate::warm::Heat;
 use crate::wetted::Surface;
 
 /// Part by which bonds that break together may differ in how far they are taken: those that symmetry makes alike differ by
@@ -62,6 +64,10 @@ pub struct Solid {
     pub(crate) sound_speed: f64,
     /// Shear modulus in its space, to which weights of bonds belong \[F/L²\].
     pub(crate) shear_modulus: f64,
+    /// What the strain across its plane, which is held, makes of stresses; none of other spaces.
+    pub(crate) across: Option<Across>,
+    /// By how much it is warmed; none of a body that stays cold.
+    pub(crate) heat: Option<Box<Heat>>,
     /// Who marches it, on how many threads.
     pub(crate) share: Share,
 }
@@ -153,6 +159,8 @@ impl Solid {
             works: Vec::new(),
             sound_speed: ((moduli.lambda + 2.0 * moduli.mu) / material.density).sqrt(),
             shear_modulus: moduli.mu,
+            across: Across::of(&material, space),
+            heat: None,
             share: Share::alone(count, threads.max(1)),
             rest,
             block,
@@ -364,21 +372,6 @@ impl Solid {
     pub(crate) fn add_exerted(&mut self, nodes: &[u32], forces: &[[f64; 3]]) {
         self.external.resize(self.rest.len(), Vec3::zeros());
         self.exerted.extend(nodes.iter().copied().zip(forces.iter().map(|&force| force.into())));
-    }
-
-    /// Lets a pressure follow its surface from now on, in marches: statics have no stiffness of it.
-    ///
-    /// # Errors
-    /// [`SolidError::NoSuchNode`] for a surface that other nodes carry.
-    pub fn follow(&mut self, pressure: FollowingPressure) -> Result<(), SolidError> {
-        let (surface, count) = (&pressure.surface, self.block.len());
-        let mut bearers = (0..surface.vertices.len()).flat_map(|vertex| surface.bearers(vertex));
-        if let Some(&(node, _)) = bearers.find(|(node, _)| *node as usize >= count) {
-            return Err(SolidError::NoSuchNode { what: "a pressure that follows", node, count });
-        }
-        self.external.resize(self.rest.len(), Vec3::zeros());
-        self.following.push(pressure);
-        Ok(())
     }
 
     /// Lets a function exert forces on all nodes from now on, in marches.

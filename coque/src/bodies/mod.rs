@@ -35,6 +35,7 @@ mod fluid;
 pub(crate) mod from_file;
 mod galerkin;
 mod glue_now;
+mod hot;
 mod imperfect;
 mod in_water;
 mod invariants;

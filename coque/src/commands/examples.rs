@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 123] = [
+const EXAMPLES: [Example; 124] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -161,6 +161,7 @@ const EXAMPLES: [Example; 123] = [
     Example::new("tube-crushed", 3.0, include_str!("../../../scenes/tube-crushed.toml")),
     Example::new("tube-hot", 0.5, include_str!("../../../scenes/tube-hot.toml")),
     Example::new("slab-cracked-hot", 0.5, include_str!("../../../scenes/slab-cracked-hot.toml")),
+    Example::new("strip-cooled-bonds", 0.5, include_str!("../../../scenes/strip-cooled-bonds.toml")),
     Example::new("tube-inflating", 0.1, include_str!("../../../scenes/tube-inflating.toml")),
     Example::new("twisted-beam", 0.1, include_str!("../../../scenes/twisted-beam.toml")),
     Example::new("twisted-strip", 0.5, include_str!("../../../scenes/twisted-strip.toml")),

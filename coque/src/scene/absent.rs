@@ -70,7 +70,7 @@ const ROWS: &[Row] = &[
         &["thermal", "temperature", "convection", "conduction"],
         &[],
         Instead(
-            "a shell or a Galerkin solid is warmed by `temperature` of [[loads]] and conducts heat by [[heat]] with [analysis.heat], its material has `expansion`, `conductivity` and, for courses in time, `specific_heat`; solids of bonds conduct, and do not expand",
+            "a shell or a solid is warmed by `temperature` of [[loads]] and conducts heat by [[heat]] with [analysis.heat], its material has `expansion`, `conductivity` and, for courses in time, `specific_heat`",
         ),
     ),
     (

@@ -30,7 +30,7 @@ pub struct Load {
     pub gravity: Option<Gravity>,
     /// Dead force by area on a face of a solid, or on cells of a shell.
     pub traction: Option<Traction>,
-    /// Change of temperature of cells of a shell, whose material says how it expands.
+    /// Change of temperature of cells of a shell or of a solid, whose material says how it expands.
     pub temperature: Option<Temperature>,
     /// Load case to which it belongs, in a linear analysis: each case has an answer of its own, and combinations of them.
     pub case: Option<String>,
@@ -152,7 +152,7 @@ pub struct Traction {
     pub depth: Option<Positive>,
 }
 
-/// Change of temperature of cells of a shell, of one or both of its two parts, or of all of a Galerkin solid. The level brings it up; in a transient run it is there from the start.
+/// Change of temperature of cells of a shell, of one or both of its two parts, of all of a Galerkin solid, or of nodes with bonds. The level brings it up; in a transient run it is there from the start.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Temperature {

@@ -38,6 +38,7 @@ fn threaded(replaced: Replaced, threads: usize) -> Vec<u64> {
 #[test]
 fn a_slab_gives_its_heat_to_a_film() {
     let flux = 80.0 / (0.4 / 2.0 + 1.0 / 30.0);
+    // Three times what eliminating held nodes leaves on eight cells; bonds are exact to rounding.
     for (how, most) in [(GALERKIN, 8.1e-4), (BONDS, 1e-11)] {
         let found = slab(&[how]);
         let sum: f64 = ["supplied", "held", "film", "radiated"].iter().map(|name| last(&found, name)).sum();
@@ -64,6 +65,7 @@ fn a_slab_gives_its_heat_to_a_film() {
 fn a_slab_radiates_what_it_is_given() {
     let radiation = "{ on = 'x1', radiation = { emissivity = 0.8, constant = 5.670374419e-8, surroundings = 20.0, zero = -273.15 } }";
     let exact = libm::pow(293.15_f64.powi(4) + 5000.0 / (0.8 * 5.670374419e-8), 0.25) - 273.15;
+    // Three times what films at points of a face leave at its nodes; bonds: the tolerance of the balance.
     for (how, most) in [(GALERKIN, 2.7e-3), (BONDS, 1e-9)] {
         let found = slab(&[how, ("heat[0]", "{ on = 'x0', flux = 5000.0 }"), ("heat[1]", radiation)]);
         let off = last(&found, "far") / exact - 1.0;
@@ -85,7 +87,8 @@ fn a_quenched_slab_cools_by_its_series() {
         };
         20.0 + 100.0 * (0..20).map(term).sum::<f64>()
     };
-    for (how, most) in [(GALERKIN, 1.9), (BONDS, 1.3)] {
+    // Three times what eight cells are off by, .08 and .43 of the fall from 100.
+    for (how, most) in [(GALERKIN, 0.24), (BONDS, 1.3)] {
         let of = |more: Replaced| {
             let own = [
                 how,

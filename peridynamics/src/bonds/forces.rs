@@ -272,6 +272,7 @@ mod tests {
             bonds: 0,
             images: None,
             flow: None,
+            heat: None,
         };
         let (mut own, mut twin) = (Vec::new(), Vec::new());
         for node in 0..nodes {

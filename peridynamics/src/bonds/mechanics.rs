@@ -141,6 +141,15 @@ pub(crate) trait Mechanics: Send + Sync {
     /// What is marched by one alone, in words.
     fn reach(&self) -> Result<Reach<'_>, &'static str>;
 
+    /// Warms it by what each node would be strained by were it free, at level one \[–\]; returns the norm of what its bonds would pull with were
+    /// they held \[F\]; none of what does not expand.
+    fn warm(&mut self, _strains: &[f64]) -> Option<f64> {
+        None
+    }
+
+    /// Gives it the lengths of a level of heat.
+    fn expand(&mut self, _level: f64) {}
+
     /// Brings all that is read of nodes beside rows and forces to all who march it.
     fn bring(&mut self, share: &Share);
 }

@@ -13,6 +13,7 @@ pub(crate) mod flatness;
 pub(crate) mod flow;
 pub(crate) mod forces;
 pub(crate) mod fragments;
+mod heat;
 pub(crate) mod images;
 pub(crate) mod intact;
 mod least_change;

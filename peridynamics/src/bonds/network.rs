@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::correction::Weights;
 use super::families::Families;
 use super::flow::Flow;
+use super::heat::BondHeat;
 use super::images::Images;
 pub(crate) use super::images::Row;
 use crate::material::Moduli;
@@ -19,7 +20,7 @@ pub(crate) struct Network {
     pub starts: Vec<u32>,
     /// The nodes at the other ends, beyond the nodes images; lanes that only fill up a pack repeat one and have no stiffness.
     pub others: Vec<[u32; LANES]>,
-    /// Lengths r at rest \[L\].
+    /// Lengths r at which bonds pull with nothing, those at rest but for heat \[L\].
     pub lengths: Vec<Pack>,
     /// `Vᵢ Cᵢⱼ + Vⱼ Cⱼᵢ`, the same from both ends \[F/L\]; zero once broken. On a plane of symmetry part of it: see [`Images`].
     pub stiffness: Vec<Pack>,
@@ -31,6 +32,8 @@ pub(crate) struct Network {
     pub images: Option<Arc<Images>>,
     /// What of the extensions is plastic, where bonds yield.
     pub flow: Option<Box<Flow>>,
+    /// How lengths go with heat, of a body that is warmed.
+    pub heat: Option<Box<BondHeat>>,
 }
 
 /// Dilatations per extension, and what they stress.
@@ -63,6 +66,7 @@ impl Network {
             bonds: families.others.len(),
             images: families.images.clone(),
             flow: None,
+            heat: None,
         };
         let packs = (0..families.len()).map(|node| families.of(node).len().div_ceil(LANES)).sum();
         out.reserve(packs);
@@ -150,8 +154,9 @@ impl Network {
                     if own == 0.0 || other == node {
                         continue;
                     }
-                    // Both ends have the bond; that to an image is one of two alike.
-                    if number as usize != other {
+                    // Both ends have the bond. With images each is half of it: one to an image is met at the image of this end, and one of a node
+                    // on a plane, of which a part belongs to the body, is met on both sides of the plane.
+                    if self.images.is_some() {
                         out.push((node as u32, other as u32, 0.5 * own));
                     } else if node < other {
                         out.push((node as u32, other as u32, own));

@@ -279,6 +279,14 @@ impl Mechanics for SolidBonds {
         })
     }
 
+    fn warm(&mut self, strains: &[f64]) -> Option<f64> {
+        Some(self.network.warm(strains))
+    }
+
+    fn expand(&mut self, level: f64) {
+        self.network.expand(level);
+    }
+
     fn bring(&mut self, share: &Share) {
         if let Some(breaking) = &mut self.breaking {
             breaking.bring(&mut self.network, share);

@@ -28,24 +28,27 @@ pub struct StaticSolid<S = Box<Solid>> {
     couplings: OnceCell<BlockPattern>,
     /// Rows with a prescribed displacement.
     moved: Vec<u32>,
+    /// Whether heat goes with the level.
+    warms: bool,
     /// The level at which they were put last.
     level: f64,
 }
 
 impl StaticSolid {
-    /// Numbers the free degrees of freedom of a body. What its supports move goes with the level.
+    /// Numbers the free degrees of freedom of a body. What its supports move goes with the level, and its heat.
     pub fn new(solid: Solid) -> Self {
         let moved = solid.constraints.moved().map(|(row, _)| row as u32).collect();
-        Self { moved, ..Self::lent(Box::new(solid)) }
+        let warms = solid.heat.is_some();
+        Self { moved, warms, ..Self::lent(Box::new(solid)) }
     }
 }
 
 impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
     /// The same of a body that goes on afterwards: [`Equilibrium::tangent`] and the forces leave its motion as it is, that
-    /// of prescribed values too.
+    /// of prescribed values too, and its heat.
     pub fn lent(solid: S) -> Self {
         let unknowns = Unknowns::new(&solid.constraints, solid.len(), solid.block.greatest_spacing());
-        Self { solid, unknowns, couplings: OnceCell::new(), moved: Vec::new(), level: 0.0 }
+        Self { solid, unknowns, couplings: OnceCell::new(), moved: Vec::new(), warms: false, level: 0.0 }
     }
 
     /// The body in its present state; its forces are those last evaluated.
@@ -130,9 +133,12 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         fitted_spins(&positions, &velocities, pairs.map(|(a, b, _)| (a, b)))
     }
 
-    /// Puts prescribed values where a level has them.
+    /// Puts prescribed values where a level has them, and gives bonds its heat.
     pub(super) fn put(&mut self, level: f64) {
         self.level = level;
+        if self.warms {
+            self.solid.expand(level);
+        }
         let solid = &mut *self.solid;
         for &row in &self.moved {
             if let Some(constraint) = solid.constraints.get(row as usize) {
@@ -150,7 +156,7 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
         self.solid.constraints.get(row).map_or_else(Vec3::zeros, |constraint| constraint.rate(level))
     }
 
-    /// Rows of `∂(external − internal)/∂λ`: the loads, and `−K_fc ċ` of the prescribed values c.
+    /// Rows of `∂(external − internal)/∂λ`: the loads, `−K_fc ċ` of the prescribed values c, and what heat pulls with.
     fn level_rates(&mut self, level: f64) -> Vec<Vec3> {
         self.put(level);
         self.solid.evaluate_loads(Instant { time: 0.0, level: 1.0 });
@@ -160,6 +166,12 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
             rates[row as usize] = self.prescribed_rate(row as usize, level);
         }
         let mut rows: Vec<Vec3> = (0..count).map(|row| self.solid.external_force(row)).collect();
+        if self.warms {
+            self.take_heat_rate(level, &mut rows);
+        }
+        if self.moved.is_empty() {
+            return rows;
+        }
         let blocks = self.blocks(None);
         for (a, b, number) in self.couplings().pairs() {
             rows[a] -= product(&blocks[number], &rates[b]);
@@ -168,6 +180,18 @@ impl<S: DerefMut<Target = Solid>> StaticSolid<S> {
             }
         }
         rows
+    }
+
+    /// Takes off what heat adds to internal forces by the level, the rows staying: lengths are linear in the level, and pulls in lengths, so that the
+    /// difference over one level is the derivative.
+    fn take_heat_rate(&mut self, level: f64, out: &mut [Vec3]) {
+        for (at, sign) in [(level + 0.5, -1.0), (level - 0.5, 1.0)] {
+            self.solid.expand(at);
+            self.solid.evaluate_internal(false);
+            out.iter_mut().zip(&self.solid.internal).for_each(|(out, force)| *out += vector(force) * sign);
+        }
+        self.solid.expand(level);
+        self.solid.evaluate_internal(false);
     }
 }
 
@@ -194,7 +218,7 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
 
     fn load_rate(&mut self, level: f64, out: &mut [f64]) {
         // Loads are proportional to the level.
-        if self.moved.is_empty() {
+        if self.moved.is_empty() && !self.warms {
             self.solid.evaluate_loads(Instant { time: 0.0, level: 1.0 });
             return self.unknowns.project(|row| self.solid.external_force(row), out);
         }
@@ -210,6 +234,10 @@ impl<S: DerefMut<Target = Solid>> Equilibrium for StaticSolid<S> {
 
     fn has_moving_supports(&self) -> bool {
         !self.moved.is_empty()
+    }
+
+    fn stress_forces(&self, level: f64) -> f64 {
+        if self.warms { self.solid.heat_exerts(level) } else { 0.0 }
     }
 
     /// Counts the work done on bonds. None breaks.

@@ -6,6 +6,7 @@ mod blocks;
 mod bodies;
 mod closed_forms;
 mod equilibria;
+mod expansion;
 mod griffith;
 mod patch;
 mod slow_cracks;

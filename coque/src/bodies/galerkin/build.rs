@@ -12,10 +12,11 @@ use super::describe::describe;
 use super::parts::{axes, basis, data_until, material, support, volumes, weight};
 use super::places::Places;
 use super::solid::GalerkinSolid;
-use super::warnings::{cut_cells, hot, warnings_of};
+use super::warnings::{cut_cells, warnings_of};
 use super::widened::wide_enough;
 use crate::bodies::body::PrescribedPoint;
 use crate::bodies::conducting::ConductingSolid;
+use crate::bodies::hot::hot;
 use crate::bodies::memory::Memory;
 use crate::bodies::memory::check_memory;
 use crate::bodies::probe::Probe;
@@ -94,7 +95,7 @@ fn looked_at(
     parts: GalerkinParts,
 ) -> Result<BuiltBody<GalerkinSolid>, SceneError> {
     let GalerkinParts { galerkin, places, probes, driven, supports, memory, widened, sets, .. } = parts;
-    let doubtful = [cut_cells(scene, &galerkin), hot(&galerkin)];
+    let doubtful = [cut_cells(scene, &galerkin), hot(galerkin.greatest_free_strain())];
     let body = GalerkinSolid::new(galerkin, &places, supports, data_until(solid));
     refuse_dof(scene, body.dof())?;
     let mut description = describe(scene, solid, options, (&body, widened), places.block.greatest_spacing());

@@ -9,6 +9,7 @@ use super::parts::axes;
 use super::places::Places;
 use super::solid::GalerkinSolid;
 use crate::bodies::conducting::HeatOf;
+use crate::bodies::hot::refuse_nothing_left;
 use crate::bodies::refusal::model_error;
 use crate::bodies::solid::sets::NodeSets;
 use crate::scene::body_in_scene::BodyInScene;
@@ -166,13 +167,7 @@ impl Heated<'_> {
             let there = there.map_err(|error| refused(error.to_string()))?;
             sum.iter_mut().zip(there).for_each(|(sum, t)| *sum += expansion * (t - own.over));
         }
-        let least = out.iter().flatten().copied().fold(f64::INFINITY, f64::min);
-        if least <= -1.0 {
-            let message = format!(
-                "free, the solid would be strained by {least:.2} and shrink to nothing; mind the units of `expansion` and `temperature`"
-            );
-            return Err(model_error(self.scene.source, "loads", &message));
-        }
+        refuse_nothing_left(self.scene, out.iter().flatten())?;
         Ok(out)
     }
 }

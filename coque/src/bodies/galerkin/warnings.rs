@@ -27,21 +27,6 @@ pub(super) fn warnings_of(
     all.into_iter().flatten().collect()
 }
 
-/// Free strain beyond which lengths and areas of what is warm differ by percents from those at rest.
-const HOT: f64 = 0.04;
-
-/// Heat so great that strains are no longer small.
-pub(super) fn hot(body: &GalerkinBody) -> Option<Warning> {
-    let strain = body.greatest_free_strain();
-    (strain > HOT).then(|| {
-        let message = format!(
-            "free, the solid would strain by {strain:.2} as it is heated, at most {HOT} of them is a small strain, by which `expansion` is meant: mind \
-             the units of `expansion` and `temperature`"
-        );
-        Warning::new(WarningKind::LargeStrain, message)
-    })
-}
-
 /// Part of a uniform stress that a node of cut cells may keep: whole cells leave .04, and nodes at which stresses are 10 % off and more all leave more
 /// (docs/galerkin.md, "In a surface").
 const UNEVEN: f64 = 0.1;

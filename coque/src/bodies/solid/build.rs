@@ -8,7 +8,7 @@ use peridynamics::{AppliedLoad, Parts, Solid, SolidError, StaticSolid};
 use sph_core::{Block, BlockLattice};
 
 use super::conditions::{Loads, driver, following, holds, loads, mirrors, probes, set_out, supports};
-use super::conduction::{BondHeat, conduction};
+use super::conduction::{BondHeat, conduction, free_strains};
 use super::describe::describe;
 use super::parts::{carrier, contact, cracks, fracture, material, plastic};
 use super::places::{Places, places};
@@ -143,6 +143,14 @@ fn assemble_solid(
     refuse_dof(scene, solid.dof())?;
     refuse_pieces(scene, wanted, &solid)?;
     let conduction = conduction(scene, wanted, &solid, &sets)?;
+    if let Some(strains) =
+        free_strains(scene, wanted, &solid, (&sets, conduction.as_ref().map(|own| &own.0)))?
+    {
+        solid.warm(strains).map_err(|error| solid_refusal(scene, wanted, &error))?;
+        if matches!(scene.analysis, Analysis::Explicit(_)) {
+            solid.expand(1.0);
+        }
+    }
     let sets = sets.into_members();
     Ok(SolidParts { solid, probes, driven, memory, sets, places, conduction })
 }
@@ -220,6 +228,7 @@ fn solid_refusal(scene: &BodyInScene<'_>, wanted: &SolidScene, error: &SolidErro
         SolidError::NotThin | SolidError::WetSheets | SolidError::NotShared(_) => of_body(&formulation),
         SolidError::SheetContact | SolidError::MirroredContact => of_body("contact"),
         SolidError::Conduction => "heat".into(),
+        SolidError::Heat(_) => "loads".into(),
         SolidError::Mirror { .. } => "supports".into(),
     };
     model_error(scene.source, &path, &error.to_string())

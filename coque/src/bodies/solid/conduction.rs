@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use heat_conduction::{Capacity, Conduction, Network, Radiation};
+use heat_conduction::{Capacity, Conduction, ConductionError, Network, Radiation};
 use peridynamics::{Solid, SolidError};
 use sph_core::Vec3;
 
 use super::sets::NodeSets;
 use crate::bodies::conducting::HeatOf;
+use crate::bodies::hot::refuse_nothing_left;
 use crate::bodies::refusal::model_error;
 use crate::scene::body_in_scene::BodyInScene;
 use crate::scene::error::SceneError;
@@ -77,6 +78,39 @@ pub(super) fn conduction(
     let stores = run.and_then(|_| wanted.material.heat_by_volume());
     let own = stores.map(|stores| solid.block().volumes.iter().map(|volume| stores * volume).collect());
     Ok(Some((BondHeat(heat), Capacity { own: own.unwrap_or_default(), pairs: Vec::new() })))
+}
+
+/// The strain that each node would have were it free, by all changes of temperature at level one \[–\]; none where nothing is warmed.
+///
+/// # Errors
+/// [`SceneError`] for a set without nodes, and where no temperatures are conducted.
+pub(super) fn free_strains(
+    scene: &BodyInScene<'_>,
+    wanted: &SolidScene,
+    solid: &Solid,
+    (sets, conduction): (&NodeSets<'_>, Option<&BondHeat>),
+) -> Result<Option<Vec<f64>>, SceneError> {
+    let expansion = wanted.material.elastic().and_then(|elastic| elastic.expansion).unwrap_or_default();
+    let mut out: Option<Vec<f64>> = None;
+    for load in &scene.loads {
+        let Some(temperature) = &load.temperature else { continue };
+        let sum = out.get_or_insert_with(|| vec![0.0; solid.len()]);
+        let nodes = sets.at(&load.at("on"), &load.on)?;
+        let Some((own, conduction)) = temperature.conducted.as_ref().zip(conduction) else {
+            let change = temperature.change.unwrap_or_default();
+            nodes.iter().for_each(|&node| sum[node as usize] += expansion * change);
+            continue;
+        };
+        let refused = |error: ConductionError| {
+            model_error(scene.source, &load.at("temperature.conducted"), &error.to_string())
+        };
+        let found = conduction.0.steady().map_err(refused)?;
+        nodes
+            .iter()
+            .for_each(|&node| sum[node as usize] += expansion * (found.values[node as usize] - own.over));
+    }
+    refuse_nothing_left(scene, out.iter().flatten())?;
+    Ok(out)
 }
 
 /// Puts one condition on the nodes.

@@ -82,6 +82,9 @@ fn lists(scene: &BodyInScene<'_>, solid_scene: &SolidScene, solid: &Solid) -> (V
     for load in &scene.loads {
         modelled.extend(load.kinds().iter().map(|(word, _)| format!("{word} on {}", load.on)));
     }
+    if scene.loads.iter().any(|load| load.heats()) && !scene.scene.heat.is_empty() {
+        modelled.push("heat conducted along bonds, in balance".into());
+    }
     modelled.extend(solid_scene.imperfection.map(|_| "deflection of the unstrained body".into()));
     modelled.extend(solid_scene.velocity.as_ref().map(|_| "velocity at the start".into()));
     if scene.loads.is_empty() {

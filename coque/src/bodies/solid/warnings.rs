@@ -10,6 +10,7 @@ use super::conditions::inward;
 use super::ends::excess;
 use super::places::Places;
 use super::skin::Skin;
+use crate::bodies::hot::hot;
 use crate::scene::body_in_scene::{BodyInScene, OnSet};
 use crate::scene::sets::OF_SOLIDS;
 use crate::scene::{Analysis, Correction, Load, Measured, SolidScene, Support};
@@ -48,7 +49,8 @@ pub(super) fn warnings_of(
     (places, sets): (&Places, &BTreeMap<String, Vec<u32>>),
 ) -> Vec<Warning> {
     let look = Look { scene, body, solid, lattice: &places.lattice, sets, skin: places.skin.as_ref() };
-    RULES.iter().filter_map(|(kind, rule)| Some(Warning::new(*kind, rule(&look)?))).collect()
+    let of_rules = RULES.iter().filter_map(|(kind, rule)| Some(Warning::new(*kind, rule(&look)?)));
+    of_rules.chain(hot(solid.greatest_free_strain())).collect()
 }
 
 /// Horizons over the spacing between which cracks run freely and waves arrive in time.

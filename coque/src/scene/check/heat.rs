@@ -19,13 +19,9 @@ pub(super) fn check_temperature(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>)
         Err(SceneError::Choice(s.fault(path, value, bound, repair)))
     };
     let heat = "a `temperature`";
-    let galerkin = scene.as_solid().and_then(|solid| Some((solid, solid.galerkin()?)));
-    if scene.as_shell().is_none() && galerkin.is_none() {
-        let bound = match scene.as_solid() {
-            Some(_) => "none on a solid of bonds: shells and Galerkin solids expand".to_string(),
-            None => format!("none on a {}: shells and Galerkin solids expand", scene.body.word()),
-        };
-        return refuse(&at, heat, &bound, "remove it, or model the body as a shell or a Galerkin solid");
+    if scene.as_shell().is_none() && scene.as_solid().is_none() {
+        let bound = format!("none on a {}: shells and solids expand", scene.body.word());
+        return refuse(&at, heat, &bound, "remove it, or model the body as a shell or a solid");
     }
     if conducted.is_some() && (change.is_some() || difference.is_some() || values.is_some()) {
         let repair = "give the numbers to a load of their own: changes of one cell add up";
@@ -48,13 +44,14 @@ pub(super) fn check_temperature(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>)
     }
     s.sized(&format!("{at}.change"), change.unwrap_or_default())?;
     s.sized(&format!("{at}.difference"), difference.unwrap_or_default())?;
-    if let Some((solid, _)) = galerkin {
+    if scene.in_fluid {
+        return refuse(&at, heat, "none of a body in a fluid", "remove it, or the fluid");
+    }
+    check_course(scene, load, &at)?;
+    if let Some(solid) = scene.as_solid() {
         return check_temperature_of_solid(scene, load, solid);
     }
     let Some(shell) = scene.as_shell() else { return Ok(()) };
-    if scene.in_fluid {
-        return refuse(&at, heat, "none of a shell in a fluid", "remove it, or the fluid");
-    }
     if !matches!(&shell.formulation, Formulation::StressPoint(f) if f.support == Reach::Cell) {
         let bound = "none but where strains are sampled in cells";
         return refuse(&at, heat, bound, "use [formulation.stress-point] without `support`, the default");
@@ -67,15 +64,6 @@ pub(super) fn check_temperature(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>)
         let bound = "none of a shell with plasticity or rubber in it, whose laws do not know of heat";
         return refuse(&at, heat, bound, "make its materials elastic or orthotropic, or remove it");
     }
-    if matches!(&scene.analysis, Analysis::Explicit(Explicit { quasi_static: Some(_), .. })) {
-        let bound = "none in a quasi-static run, whose balance of energy does not know of heat that comes";
-        return refuse(&at, heat, bound, "use [analysis.static], which brings it up by levels as well");
-    }
-    if load.amplitude.is_some() && scene.analysis.kind().passes_time {
-        let bound = "none of a temperature, which is there from the start of a transient run";
-        let repair = "remove it, or bring the temperature up by [analysis.static]";
-        return refuse(&load.at("amplitude"), "a course in time", bound, repair);
-    }
     if let Some(temperature) = &load.temperature {
         check_tabled_load(scene, shell, load, temperature)?;
     }
@@ -86,4 +74,22 @@ pub(super) fn check_temperature(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>)
             refuse(&column.at("of"), "\"energy\"", bound, "read the column `internal`, which every curve has")
         }
     }
+}
+
+/// Refuses heat that comes while time passes.
+fn check_course(scene: &BodyInScene<'_>, load: &OnSet<'_, Load>, at: &str) -> Verdict {
+    let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
+        Err(SceneError::Choice(scene.scope().fault(path, value, bound, repair)))
+    };
+    if matches!(&scene.analysis, Analysis::Explicit(Explicit { quasi_static: Some(_), .. })) {
+        let bound = "none in a quasi-static run, whose balance of energy does not know of heat that comes";
+        let repair = "use [analysis.static], which brings it up by levels as well";
+        return refuse(at, "a `temperature`", bound, repair);
+    }
+    if load.amplitude.is_some() && scene.analysis.kind().passes_time {
+        let bound = "none of a temperature, which is there from the start of a transient run";
+        let repair = "remove it, or bring the temperature up by [analysis.static]";
+        return refuse(&load.at("amplitude"), "a course in time", bound, repair);
+    }
+    Ok(())
 }

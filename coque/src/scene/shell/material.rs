@@ -103,7 +103,7 @@ pub struct Elastic {
     pub poisson: f64,
     /// Mass per volume \[F T²/L⁴\].
     pub density: Positive,
-    /// Coefficient of thermal expansion of a shell or a Galerkin solid that is heated, by any unit Θ of temperature \[1/Θ\].
+    /// Coefficient of thermal expansion of a shell or a solid that is heated, by any unit Θ of temperature \[1/Θ\].
     pub expansion: Option<f64>,
     /// Conductivity of a body through which heat runs, by any unit Θ of temperature \[F/(T Θ)\].
     pub conductivity: Option<Positive>,

@@ -21,6 +21,7 @@ mod smooth_box;
 mod strip;
 mod thin_plate;
 mod torsion;
+mod warm_strip;
 mod wave;
 
 use super::{family, finer};
@@ -41,6 +42,7 @@ pub fn all() -> Vec<Case> {
             double_cantilever::case(),
             wave::case(),
             torsion::case(),
+            warm_strip::case(),
             drift::case(),
             smooth_box::case(),
             falling_bar::case(),

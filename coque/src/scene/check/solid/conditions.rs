@@ -111,8 +111,8 @@ pub(in super::super) fn check_solid_load(
                 return Err(SceneError::Choice(fault));
             }
             // Checked with those of shells.
-            LoadKind::Temperature(_) if solid.galerkin().is_some() => {}
-            LoadKind::Couple(_) | LoadKind::Gas(_) | LoadKind::Volume(_) | LoadKind::Temperature(_) => {
+            LoadKind::Temperature(_) => {}
+            LoadKind::Couple(_) | LoadKind::Gas(_) | LoadKind::Volume(_) => {
                 let bound = "`force`, `traction`, `pressure` or `gravity` on a solid";
                 let repair = "use traction = { value = […] } on a face: dead force by area";
                 let fault = s.fault(&format!("{at}.{word}"), &format!("`{word}`"), bound, repair);

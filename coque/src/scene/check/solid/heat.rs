@@ -86,6 +86,10 @@ pub(in super::super) fn check_temperature_of_solid(
     let refuse = |path: &str, value: &str, bound: &str, repair: &str| {
         Err(SceneError::Choice(s.fault(path, value, bound, repair)))
     };
+    if solid.has_directors() {
+        let bound = "none of a plate of two sheets: blocks of bonds, Galerkin solids and shells expand";
+        return refuse(&at, "a `temperature`", bound, "remove it, or model the plate as a shell");
+    }
     if difference.is_some() {
         let bound = "none of a solid, which has no thickness";
         let repair = "let the solid conduct heat between its faces: [[heat]], and `conducted`";
@@ -95,8 +99,8 @@ pub(in super::super) fn check_temperature_of_solid(
         let bound = "one `change` for a solid, or `conducted`";
         return refuse(&format!("{at}.values"), "numbers by particle", bound, "remove it");
     }
-    if load.on != "all" {
-        let bound = "\"all\": a solid is warmed as a whole, or by what it conducts";
+    if load.on != "all" && solid.galerkin().is_some() {
+        let bound = "\"all\": a Galerkin solid is warmed as a whole, or by what it conducts";
         let repair = "use on = \"all\", or hold the set at its temperature by [[heat]] and take up what is `conducted`";
         return refuse(&load.at("on"), &format!("\"{}\"", load.on), bound, repair);
     }
@@ -124,11 +128,12 @@ pub(in super::super) fn check_temperature_of_solid(
         }
         Some(_) => {}
     }
-    let at_rest = matches!(
-        scene.analysis,
-        Analysis::Static(_) | Analysis::Linear(_) | Analysis::ArcLength(_) | Analysis::Relaxation(_)
-    );
-    if !at_rest {
+    let knows = match scene.analysis {
+        Analysis::Static(_) | Analysis::Linear(_) | Analysis::ArcLength(_) | Analysis::Relaxation(_) => true,
+        Analysis::Explicit(_) | Analysis::Buckling(_) => solid.galerkin().is_none(),
+        _ => false,
+    };
+    if !knows {
         let bound = format!("none of a solid in {}", scene.analysis.kind().name);
         let repair = "use [analysis.static], linear, arc-length or relaxation, or model the body as a shell";
         return refuse(&at, "a `temperature`", &bound, repair);

@@ -29,10 +29,11 @@ impl SolidScene {
         }
         if let Some(expansion) = self.material.elastic().and_then(|elastic| elastic.expansion) {
             s.sized("material.elastic.expansion", expansion)?;
-            if self.galerkin().is_none() {
+            if self.has_directors() {
                 let value = "a coefficient of expansion";
-                let bound = "none of bonds: shells and Galerkin solids are heated";
-                let repair = "remove it, or use [bodies.NAME.solid.formulation.galerkin]";
+                let bound =
+                    "none of a plate of two sheets: blocks of bonds, Galerkin solids and shells expand";
+                let repair = "remove it, or model the plate as a shell";
                 return Err(SceneError::Choice(s.fault("material.elastic.expansion", value, bound, repair)));
             }
         }

@@ -1,0 +1,51 @@
+//! Bonds of bodies that are warmer: their extensions count from the lengths that they have were the body free.
+//!
+//! ```text
+//! r(λ) = r (1 + λ ½(αΔTᵢ + αΔTⱼ))
+//! ```
+//!
+//! [madenci2014, ch. 4]. A body of one temperature that nothing holds, and by the mean of both ends one whose temperature is linear in space, is free
+//! of stress whatever its law and its weights; extensions, dilatations and limits of bonds are those of what is left.
+
+use lanes::{LANES, Pack};
+
+use super::network::Network;
+
+/// Lengths of bonds by the level of heat.
+#[derive(Clone, Debug)]
+pub(crate) struct BondHeat {
+    /// Lengths at rest, as cold as the body was built \[L\].
+    cold: Vec<Pack>,
+    /// By how much each bond would grow were the body free, at level one \[L\].
+    growth: Vec<Pack>,
+}
+
+impl Network {
+    /// Warms bonds by what each node would be strained by were it free, at level one \[–\]; lengths stay those of level zero. Returns the norm over
+    /// nodes of what their bonds would pull with were they held, pull by pull \[F\].
+    pub fn warm(&mut self, strains: &[f64]) -> f64 {
+        let mut growth = self.lengths.clone();
+        let mut sum = 0.0;
+        for (node, own) in strains.iter().enumerate() {
+            let mut exerts = 0.0;
+            for pack in self.packs_of(node) {
+                for lane in 0..LANES {
+                    let other = self.source(self.others[pack][lane] as usize);
+                    growth[pack][lane] *= 0.5 * (own + strains[other]);
+                    exerts += self.stiffness[pack][lane] * growth[pack][lane].abs();
+                }
+            }
+            sum += exerts * exerts;
+        }
+        self.heat = Some(Box::new(BondHeat { cold: self.lengths.clone(), growth }));
+        sum.sqrt()
+    }
+
+    /// Lengths as a level of heat has them, to the bit those at rest at level zero.
+    pub fn expand(&mut self, level: f64) {
+        let Some(heat) = &self.heat else { return };
+        for (length, (cold, growth)) in self.lengths.iter_mut().zip(heat.cold.iter().zip(&heat.growth)) {
+            *length = std::array::from_fn(|lane| cold[lane] + level * growth[lane]);
+        }
+    }
+}
