@@ -129,13 +129,18 @@ pub(in super::super) fn check_temperature_of_solid(
         Some(_) => {}
     }
     let knows = match scene.analysis {
-        Analysis::Static(_) | Analysis::Linear(_) | Analysis::ArcLength(_) | Analysis::Relaxation(_) => true,
-        Analysis::Explicit(_) | Analysis::Buckling(_) => solid.galerkin().is_none(),
+        Analysis::Static(_)
+        | Analysis::Linear(_)
+        | Analysis::ArcLength(_)
+        | Analysis::Relaxation(_)
+        | Analysis::Buckling(_) => true,
+        Analysis::Explicit(_) => solid.galerkin().is_none(),
         _ => false,
     };
     if !knows {
         let bound = format!("none of a solid in {}", scene.analysis.kind().name);
-        let repair = "use [analysis.static], linear, arc-length or relaxation, or model the body as a shell";
+        let repair =
+            "use [analysis.static], linear, arc-length, relaxation or buckling, or model the body as a shell";
         return refuse(&at, "a `temperature`", &bound, repair);
     }
     Ok(())
