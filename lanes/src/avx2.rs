@@ -6,7 +6,7 @@ use pulp::cast;
 use pulp::x86::V3;
 
 use super::picked::PICKED;
-use super::{EIGHT, LANES, Lanes, Pack};
+use super::{EIGHT, LANES, Lanes, Pack, Shift};
 
 /// Two numbers of each of two rows. Closures would not be compiled for the lanes; this is inlined always.
 #[inline(always)]
@@ -28,6 +28,13 @@ impl Lanes for V3 {
     #[inline(always)]
     fn load(self, pack: &Pack) -> __m256d {
         self.avx._mm256_setr_pd(pack[0], pack[1], pack[2], pack[3])
+    }
+
+    #[inline(always)]
+    fn load_shifted(self, pack: &Pack, by: &Shift) -> __m256d {
+        let by = self.avx2._mm256_cvtepi16_epi64(self.sse2._mm_set_epi64x(0, cast(*by)));
+        let bits = self.avx._mm256_castpd_si256(self.load(pack));
+        self.avx._mm256_castsi256_pd(self.avx2._mm256_add_epi64(bits, by))
     }
 
     /// Halves of rows are joined on their way from memory, so that four shuffles are left and not eight.
@@ -217,6 +224,8 @@ mod tests {
             assert_eq!(two(wide.rows_of_two(x)), two(ends));
             assert_eq!(two(Plain.rows_of_two(y)), two(ends));
             assert_eq!(bits(wide.store(wa)), bits(a));
+            let by: Shift = std::array::from_fn(|lane| [7, -300, i16::MAX, i16::MIN, 0][(lane + shift) % 5]);
+            same(wide.load_shifted(&a, &by), Plain.load_shifted(&a, &by));
         }
     }
 

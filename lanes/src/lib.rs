@@ -39,13 +39,15 @@ mod plain;
 mod reals;
 
 pub use dispatch::{Sweep, widest};
-pub use plain::Plain;
+pub use plain::{Plain, shifted};
 pub use reals::{Reals, Vector};
 
 /// One number for each of four lanes.
 pub type Pack = [f64; LANES];
 /// Lanes of a pack.
 pub const LANES: usize = 4;
+/// By how much the bits of four numbers, as integers, are greater than those of others.
+pub type Shift = [i16; LANES];
 /// Lanes of numbers of half the width.
 pub const EIGHT: usize = 8;
 
@@ -60,6 +62,8 @@ pub trait Lanes: Copy {
     fn splat(self, value: f64) -> Self::Four;
     /// A pack from memory.
     fn load(self, pack: &Pack) -> Self::Four;
+    /// A pack from memory, [`shifted`] lane by lane.
+    fn load_shifted(self, pack: &Pack, by: &Shift) -> Self::Four;
     /// The transpose of four rows: all first places, all second, ….
     fn columns(self, rows: [&Pack; LANES]) -> [Self::Four; LANES];
     /// A pack to memory.
@@ -116,6 +120,12 @@ pub trait Lanes: Copy {
     #[inline(always)]
     fn read(self, pack: &Pack) -> Reals<Self> {
         Reals { lanes: self, four: self.load(pack) }
+    }
+
+    /// A pack from memory that is [`shifted`], with operators.
+    #[inline(always)]
+    fn read_shifted(self, pack: &Pack, by: &Shift) -> Reals<Self> {
+        Reals { lanes: self, four: self.load_shifted(pack, by) }
     }
 
     /// The columns of four rows, with operators.

@@ -1,11 +1,17 @@
 //! Lanes in plain loops.
 
 use super::picked::PICKED;
-use super::{EIGHT, LANES, Lanes, Pack};
+use super::{EIGHT, LANES, Lanes, Pack, Shift};
 
 /// Plain loops, for any processor.
 #[derive(Clone, Copy, Debug)]
 pub struct Plain;
+
+/// The number whose bits, as an integer, are greater by this.
+#[inline(always)]
+pub fn shifted(number: f64, by: i16) -> f64 {
+    f64::from_bits(number.to_bits().wrapping_add_signed(by.into()))
+}
 
 #[inline(always)]
 fn each(of: impl Fn(usize) -> f64) -> Pack {
@@ -24,6 +30,11 @@ impl Lanes for Plain {
     #[inline(always)]
     fn load(self, pack: &Pack) -> Pack {
         *pack
+    }
+
+    #[inline(always)]
+    fn load_shifted(self, pack: &Pack, by: &Shift) -> Pack {
+        each(|lane| shifted(pack[lane], by[lane]))
     }
 
     #[inline(always)]

@@ -30,14 +30,19 @@ pub fn body(counts: [usize; 3], law: Law, threads: usize) -> Solid {
 }
 
 /// The same with other weights, of bonds that may yield.
-pub fn yielding(
+pub fn yielding(counts: [usize; 3], of: (Law, Correction, Option<Plastic>), threads: usize) -> Solid {
+    moving(parts(counts, of, threads))
+}
+
+/// What it is made of.
+pub fn parts(
     counts: [usize; 3],
     (law, correction, plastic): (Law, Correction, Option<Plastic>),
     threads: usize,
-) -> Solid {
+) -> Parts {
     let space = if counts[2] == 1 { Space::PlaneStress } else { Space::Solid };
     let poisson = if law == Law::BondBased { space.pairwise_poisson() } else { 0.3 };
-    let mut out = Solid::new(Parts {
+    Parts {
         block: block(counts),
         material: Elastic { young: 1e6, poisson, density: 1.0 },
         formulation: Idealisation::Bonds(Formulation {
@@ -55,11 +60,16 @@ pub fn yielding(
         supports: Vec::new(),
         loads: Vec::new(),
         threads,
-    })
-    .expect("a sound body");
+    }
+}
+
+/// A body in motion.
+pub fn moving(parts: Parts) -> Solid {
+    let mut out = Solid::new(parts).expect("a sound body");
+    let plane = out.block().dimensions == 2;
     for node in 0..out.len() {
         let x = out.position(node);
-        let across = if counts[2] == 1 { 0.0 } else { x.x * x.z };
+        let across = if plane { 0.0 } else { x.x * x.z };
         out.set_velocity(node, Vec3::new(x.y + x.x, -x.x, across));
     }
     out

@@ -11,6 +11,7 @@ use lanes::{Lanes, Reals, Sweep, Vector, widest};
 
 use super::forces::{Scratch, downhill};
 use super::network::{LANES, Network, Row};
+use super::patterns::{Family, Number};
 use super::present::{Own, Present, keep};
 use crate::share::Share;
 
@@ -61,19 +62,36 @@ impl Sweep for Dilate<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
         let Self { at: Linear { network, rows, along, first }, out } = self;
-        let Some(dilatation) = &network.dilatation else { return };
+        let Some(factors) = &network.dilatation else { return };
         for (i, value) in out.iter_mut().enumerate() {
             let node = first + i;
             let own = [Own::all(lanes, &rows[node]), Own::all(lanes, &along[node])];
-            let packs = network.packs_of(node);
-            let mut sum = lanes.same(0.0);
-            for (others, share) in network.others[packs.clone()].iter().zip(&dilatation.own[packs]) {
-                let bond = Change::of(lanes, &own, others, [rows, along]);
-                sum += lanes.read(share) * bond.extension;
-            }
-            *value = dilatation.factors[node] * sum.total();
+            let family = network.family(node);
+            let sum = if family.is_shifted {
+                dilated::<L, true>(lanes, &own, &family, [rows, along])
+            } else {
+                dilated::<L, false>(lanes, &own, &family, [rows, along])
+            };
+            *value = factors[node] * sum.total();
         }
     }
+}
+
+/// δθ of a node, lane by lane.
+#[inline(always)]
+fn dilated<L: Lanes, const SHIFTED: bool>(
+    lanes: L,
+    own: &[Own<L>; 2],
+    family: &Family<'_>,
+    rows: [&[Row]; 2],
+) -> Reals<L> {
+    let shares = family.values::<SHIFTED>(Number::Own, true);
+    let mut sum = lanes.same(0.0);
+    for k in 0..family.len() {
+        let bond = Change::of(lanes, own, &family.others(k), rows);
+        sum += shares.of(lanes, k) * bond.extension;
+    }
+    sum
 }
 
 /// Changes of forces of one chunk of nodes; `DILATATION` where the law has one.
@@ -87,36 +105,55 @@ impl<const DILATATION: bool> Sweep for Chunk<'_, DILATATION> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
-        let Self { at: Linear { network, rows, along, first }, out } = self;
+        let Self { at, out } = self;
         for (i, out) in out.iter_mut().enumerate() {
-            let node = first + i;
-            let own = [Own::all(lanes, &rows[node]), Own::all(lanes, &along[node])];
-            let mut sum = lanes.vector([0.0; 3]);
-            let packs = network.packs_of(node);
-            let [here, there] = network.shares(packs.clone());
-            let elastic = network.lengths[packs.clone()].iter().zip(&network.stiffness[packs.clone()]);
-            let first = packs.start;
-            let bonds = network.others[packs].iter().zip(elastic).zip(here.iter().zip(there)).enumerate();
-            for (k, ((others, (rest, stiffness)), (here, there))) in bonds {
-                let bond = Change::of(lanes, &own, others, [rows, along]);
-                let stiffness = lanes.read(stiffness);
-                let mut extension = bond.at.length - lanes.read(rest);
-                if let Some(flow) = &network.flow {
-                    extension = extension - flow.mean(lanes, first + k);
-                }
-                let mut pull = stiffness * extension;
-                let mut more = stiffness * bond.extension;
-                if DILATATION {
-                    let (here, there) = (lanes.read(here), lanes.read(there));
-                    pull += own[0].last * here + bond.at.last * there;
-                    more += own[1].last * here + bond.last * there;
-                }
-                let across = pull * bond.inverse;
-                let along = (more - across * bond.extension) * bond.inverse;
-                sum += bond.at.reach * along + bond.difference * across;
-            }
-            *out = downhill(sum);
+            let node = at.first + i;
+            let family = at.network.family(node);
+            *out = downhill(if family.is_shifted {
+                at.pulled::<L, true, DILATATION>(lanes, node, &family)
+            } else {
+                at.pulled::<L, false, DILATATION>(lanes, node, &family)
+            });
         }
+    }
+}
+
+impl Linear<'_> {
+    /// By how much more the bonds of a node pull it.
+    #[inline(always)]
+    fn pulled<L: Lanes, const SHIFTED: bool, const DILATATION: bool>(
+        self,
+        lanes: L,
+        node: usize,
+        family: &Family<'_>,
+    ) -> Vector<L, 3> {
+        let Self { network, rows, along, .. } = self;
+        let own = [Own::all(lanes, &rows[node]), Own::all(lanes, &along[node])];
+        let mut sum = lanes.vector([0.0; 3]);
+        let first = network.packs_of(node).start;
+        let lengths = family.values::<SHIFTED>(Number::Length, true);
+        let stiffnesses = family.values::<SHIFTED>(Number::Stiffness, true);
+        let near = family.values::<SHIFTED>(Number::Own, DILATATION);
+        let far = family.values::<SHIFTED>(Number::Twin, DILATATION);
+        for k in 0..family.len() {
+            let bond = Change::of(lanes, &own, &family.others(k), [rows, along]);
+            let stiffness = stiffnesses.of(lanes, k);
+            let mut extension = bond.at.length - lengths.of(lanes, k);
+            if let Some(flow) = &network.flow {
+                extension = extension - flow.mean(lanes, first + k);
+            }
+            let mut pull = stiffness * extension;
+            let mut more = stiffness * bond.extension;
+            if DILATATION {
+                let (here, there) = (near.of(lanes, k), far.of(lanes, k));
+                pull += own[0].last * here + bond.at.last * there;
+                more += own[1].last * here + bond.last * there;
+            }
+            let across = pull * bond.inverse;
+            let along = (more - across * bond.extension) * bond.inverse;
+            sum += bond.at.reach * along + bond.difference * across;
+        }
+        sum
     }
 }
 

@@ -15,7 +15,7 @@
 use nalgebra::SVector;
 use sph_core::Vec3;
 
-use super::correction::Weights;
+use super::correction::{Shares, Weights};
 use super::families::Families;
 use super::least_change::Wanted;
 use crate::error::SolidError;
@@ -56,18 +56,22 @@ impl Balance<'_> {
     ///
     /// # Errors
     /// [`SolidError::Unbalanced`] where no weights do.
-    pub fn bring(&self, weights: &mut Weights) -> Result<(), SolidError> {
+    pub fn bring(&self, weights: &mut Weights<'_>) -> Result<(), SolidError> {
         let plane = self.moduli.dimensions == 2;
-        let done = if plane { self.stiffnesses::<4>(weights) } else { self.stiffnesses::<10>(weights) };
+        let mut shares = weights.all();
+        let done =
+            if plane { self.stiffnesses::<4>(&mut shares) } else { self.stiffnesses::<10>(&mut shares) };
         done?;
-        match (weights.dilatation.is_empty(), plane) {
-            (true, _) => Ok(()),
-            (_, true) => self.dilatations(weights, OF_PLANE),
-            (_, false) => self.dilatations(weights, OF_SPACE),
+        match (shares.dilatation.is_empty(), plane) {
+            (true, _) => {}
+            (_, true) => self.dilatations(&mut shares, OF_PLANE)?,
+            (_, false) => self.dilatations(&mut shares, OF_SPACE)?,
         }
+        weights.take(shares);
+        Ok(())
     }
 
-    fn stiffnesses<const T: usize>(&self, weights: &mut Weights) -> Result<(), SolidError> {
+    fn stiffnesses<const T: usize>(&self, weights: &mut Shares) -> Result<(), SolidError> {
         let products: [&[usize]; T] = std::array::from_fn(|q| CUBES[q]);
         let mu = self.moduli.mu / self.spacing;
         let row = |_: f64, area: &Vec3, axes: &[usize]| {
@@ -80,7 +84,7 @@ impl Balance<'_> {
 
     fn dilatations<const T: usize>(
         &self,
-        weights: &mut Weights,
+        weights: &mut Shares,
         products: [&'static [usize]; T],
     ) -> Result<(), SolidError> {
         let row = |volume: f64, area: &Vec3, axes: &[usize]| match *axes {
@@ -114,8 +118,9 @@ impl Balance<'_> {
         for node in 0..families.len() {
             for bond in families.of(node) {
                 let both = shares[bond] + shares[twins.next(bond)];
-                let volumes = whole[node] * families.volumes[bond];
-                mobility.push(if positive { both.max(0.0) } else { volumes * families.lengths[bond] });
+                let seen = families.bond(node, bond);
+                let volumes = whole[node] * families.volume(&seen);
+                mobility.push(if positive { both.max(0.0) } else { volumes * seen.length });
             }
         }
         let near = self.near();
@@ -126,6 +131,10 @@ impl Balance<'_> {
             spacing: self.spacing,
             products,
             rows,
+            lengths: (0..families.len())
+                .flat_map(|node| families.bonds(node))
+                .map(|bond| bond.length)
+                .collect(),
             shares,
             mobility,
             positive,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::families::Families;
 use super::forces::{Scratch, Watch};
 use super::images::Images;
-use super::intact::{Whole, clear, is_set};
+use super::intact::{Bond, Whole, clear, is_set};
 use super::limits::Limit;
 use super::network::{LANES, Network, Row};
 use super::repulsion::Repulsion;
@@ -38,13 +38,13 @@ pub(crate) struct Breaking {
 
 impl Breaking {
     /// All bonds whole, without a limit.
-    pub fn new(network: &Network, families: &Families, volumes: &[f64]) -> Self {
+    pub fn new(network: &Network, families: &Families) -> Self {
         Self {
             bonds: Whole::new(network, families),
             watch: None,
             works: None,
             energies: vec![0.0; network.len()],
-            volumes: families.whole(volumes).into_owned(),
+            volumes: families.volumes.clone(),
             horizon: families.horizon,
             reach: families.reach,
         }
@@ -54,8 +54,8 @@ impl Breaking {
     pub fn cut(&mut self, network: &mut Network, positions: &[Vec3], cut: &Cut) -> usize {
         let mut crossed = Vec::new();
         for node in 0..network.len() {
-            for lane in network.lanes_of(node).filter(|&lane| self.bonds.is_bond(lane)) {
-                let other = network.bond(lane).other;
+            for (lane, bond) in network.bonds_of(node).filter(|(lane, _)| self.bonds.is_bond(*lane)) {
+                let other = bond.other;
                 // From the same end, whichever end asks.
                 let cuts = |a: usize, b: usize| cut.cuts(&positions[a.min(b)], &positions[a.max(b)]);
                 let mirrored =
@@ -83,8 +83,8 @@ impl Breaking {
         }
         let mut lanes = self.bonds.whole.clone();
         for node in 0..network.len() {
-            for lane in network.lanes_of(node) {
-                if safe[node] || safe[network.source(network.bond(lane).other)] {
+            for (lane, bond) in network.bonds_of(node) {
+                if safe[node] || safe[network.source(bond.other)] {
                     clear(&mut lanes, lane);
                 }
             }
@@ -94,10 +94,7 @@ impl Breaking {
                 self.watch = Some(Watch { lanes, tension, compression });
             }
             Limit::Work(share) => {
-                let limits = |lane: usize| {
-                    let bond = network.bond(lane);
-                    0.5 * share * bond.stiffness * bond.length * bond.length
-                };
+                let limits = |bond: &Bond| 0.5 * share * bond.stiffness * bond.length * bond.length;
                 self.works = Some(Works::new(network, lanes, &limits));
             }
         }
@@ -167,9 +164,8 @@ impl Breaking {
     fn utilisations(&self, network: &Network, rows: &[Row], mut visit: impl FnMut(usize, f64)) {
         let rows = &*network.extended(rows);
         for node in 0..network.len() {
-            for lane in network.lanes_of(node) {
+            for (lane, bond) in network.bonds_of(node) {
                 if let Some(watch) = self.watch.as_ref().filter(|watch| is_set(&watch.lanes, lane)) {
-                    let bond = network.bond(lane);
                     let stretch = bond.extension(node, rows) / bond.length;
                     visit(lane, (stretch / watch.tension).max(stretch / watch.compression));
                 }
@@ -222,7 +218,7 @@ impl Breaking {
     ) -> f64 {
         let (mut held, mut share) = (0.0, 0.0);
         for &lane in lanes {
-            let bond = network.bond(lane);
+            let bond = network.bond(node, lane);
             let e = bond.extension(node, rows);
             let [elastic, _] = network.elastic(node, &bond, e);
             held += 0.25 * bond.stiffness * elastic * elastic;
@@ -230,9 +226,9 @@ impl Breaking {
                 0.5 * contact.map_or(0.0, |c| c.of_broken([node, bond.other], bond.length, bond.length + e));
             share += bond.shares[0] * e;
         }
-        if let Some(dilatation) = &network.dilatation {
+        if let Some(factors) = &network.dilatation {
             let theta = network.dilatation_of(node, rows);
-            held += dilatation.factors[node] * share * (theta - 0.5 * share);
+            held += factors[node] * share * (theta - 0.5 * share);
         }
         held
     }
@@ -246,9 +242,10 @@ impl Breaking {
             if !self.bonds.is_whole(lane) || !all.insert(lane) {
                 continue;
             }
-            let (node, other) = (network.node_of(lane), network.bond(lane).other);
+            let node = network.node_of(lane);
+            let other = network.bond(node, lane).other;
             let find = |node: usize, end: usize| {
-                network.lanes_of(node).find(|&lane| network.bond(lane).other == end)
+                network.bonds_of(node).find(|(_, bond)| bond.other == end).map(|(lane, _)| lane)
             };
             waiting.extend(find(images.source(other), images.seen_back(node, other)));
             waiting.extend(images.beside(node, other).filter_map(|end| find(node, end)));
@@ -289,8 +286,7 @@ impl Breaking {
     /// `1 − Σ V̄ of whole bonds / Σ V̄ of all` of a node: zero whole, one free.
     pub fn damage(&self, network: &Network, node: usize) -> f64 {
         let (mut whole, mut all) = (0.0, 0.0);
-        for lane in network.lanes_of(node).filter(|&lane| self.bonds.is_bond(lane)) {
-            let bond = network.bond(lane);
+        for (lane, bond) in network.bonds_of(node).filter(|(lane, _)| self.bonds.is_bond(*lane)) {
             let volume = self.share(bond.length) * self.volumes[bond.other];
             all += volume;
             if self.bonds.is_whole(lane) {

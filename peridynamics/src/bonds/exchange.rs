@@ -7,8 +7,7 @@ use crate::share::Share;
 impl Network {
     /// Adds the nodes at the other ends of a node's bonds, or those whose images are there.
     pub fn ends(&self, node: usize, out: &mut Vec<u32>) {
-        let others = self.others[self.packs_of(node)].as_flattened();
-        out.extend(others.iter().map(|&other| self.source(other as usize) as u32));
+        out.extend(self.neighbours(node));
     }
 
     /// Numbers of a node that the bonds of others need beside its place: the dilatation, and what flows.

@@ -14,22 +14,47 @@ use crate::mirror::Mirror;
 const COINCIDENT: f64 = 1e-6;
 
 /// The family of each node at the start, others ascending: directed bonds, each pair twice.
+///
+/// Four bytes a bond: lengths and partial volumes are worked out from the places and volumes of nodes when they are asked for.
 #[derive(Clone, Debug)]
 pub(crate) struct Families {
     /// First bond of each node, and the end.
     pub starts: Vec<u32>,
     /// The node at the other end; numbers beyond the nodes are images.
     pub others: Vec<u32>,
-    /// Length r \[L\].
-    pub lengths: Vec<f64>,
-    /// Partial volume V̄ of the other node inside the horizon \[L³\].
+    /// Places of nodes, and of images behind them \[L\].
+    pub places: Vec<Vec3>,
+    /// Volumes of whole nodes and of images \[L³\].
     pub volumes: Vec<f64>,
     /// Horizon δ \[L\].
     pub horizon: f64,
     /// δ' = δ + ½Δx, beyond which no part of a volume lies inside the horizon \[L\].
     pub reach: f64,
+    /// Greatest spacing Δx \[L\].
+    spacing: f64,
+    /// How much of a volume counts.
+    rule: Volumes,
     /// What planes of symmetry make of the nodes.
     pub images: Option<Arc<Images>>,
+}
+
+/// A directed bond as its node sees it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    pub node: usize,
+    /// The node at the other end, or an image.
+    pub other: usize,
+    /// From the node to the other end \[L\].
+    pub across: Vec3,
+    /// Length r \[L\].
+    pub length: f64,
+}
+
+impl Seen {
+    /// Direction n, towards the other end.
+    pub fn direction(&self) -> Vec3 {
+        self.across / self.length
+    }
 }
 
 /// Where bonds come from: nodes, their volumes, and how far they reach.
@@ -62,30 +87,28 @@ impl Families {
         let mut out = Self {
             starts: vec![0],
             others: Vec::new(),
-            lengths: Vec::new(),
-            volumes: Vec::new(),
+            places: nodes.positions.to_vec(),
+            volumes: nodes.volumes.to_vec(),
             horizon: delta,
             reach,
+            spacing: dx,
+            rule: volumes,
             images,
         };
-        let (positions, whole) = (out.extended(nodes.positions), out.whole(nodes.volumes));
-        let list = CellList::new(&positions, search);
+        if let Some(images) = &out.images {
+            (out.places, out.volumes) = (images.extended(nodes.positions, true), images.whole(nodes.volumes));
+        }
+        let list = CellList::new(&out.places, search);
         let mut near = Vec::new();
         for (i, x) in nodes.positions.iter().enumerate() {
             list.within(x, search, &mut near);
             for &j in near.iter().filter(|&&j| j as usize != i) {
-                let r = (positions[j as usize] - x).norm();
+                let r = out.seen(i, j as usize).length;
                 if r < COINCIDENT * dx {
                     return Err(SolidError::Coincident(i as u32, j));
                 }
-                let share = match volumes {
-                    Volumes::Whole => 1.0,
-                    Volumes::Partial => ((reach - r) / dx).clamp(0.0, 1.0),
-                };
-                if share > 0.0 {
+                if out.part(r) > 0.0 {
                     out.others.push(j);
-                    out.lengths.push(r);
-                    out.volumes.push(share * whole[j as usize]);
                 }
             }
             if out.others.len() == out.starts[i] as usize {
@@ -94,6 +117,55 @@ impl Families {
             out.starts.push(out.others.len() as u32);
         }
         Ok(out)
+    }
+
+    /// The part of a volume at this distance that lies inside the horizon.
+    fn part(&self, length: f64) -> f64 {
+        match self.rule {
+            Volumes::Whole => 1.0,
+            Volumes::Partial => ((self.reach - length) / self.spacing).clamp(0.0, 1.0),
+        }
+    }
+
+    /// Partial volume V̄ of the other node of a bond inside the horizon \[L³\].
+    pub fn volume(&self, bond: &Seen) -> f64 {
+        self.volume_at(bond.other, bond.length)
+    }
+
+    /// That of a node or an image at this distance \[L³\].
+    pub fn volume_at(&self, other: usize, length: f64) -> f64 {
+        self.part(length) * self.volumes[other]
+    }
+
+    /// The bond of a node with another, or with an image.
+    pub fn seen(&self, node: usize, other: usize) -> Seen {
+        let across = self.places[other] - self.places[node];
+        Seen { node, other, across, length: across.norm() }
+    }
+
+    /// A bond by its number.
+    pub fn bond(&self, node: usize, bond: usize) -> Seen {
+        self.seen(node, self.others[bond] as usize)
+    }
+
+    /// The bonds of a node, others ascending.
+    pub fn bonds(&self, node: usize) -> impl Iterator<Item = Seen> + Clone + '_ {
+        self.of(node).map(move |bond| self.bond(node, bond))
+    }
+
+    /// A bond as its other end sees it; its length has the same bits but for images.
+    pub fn back(&self, bond: &Seen) -> Seen {
+        let Seen { node, other, length, .. } = *bond;
+        match &self.images {
+            Some(images) => self.seen(images.source(other), images.seen_back(node, other)),
+            None => Seen { node: other, other: node, across: self.places[node] - self.places[other], length },
+        }
+    }
+
+    /// The number of a bond.
+    pub fn number(&self, bond: &Seen) -> usize {
+        let family = self.of(bond.node);
+        family.start + self.others[family].partition_point(|&other| (other as usize) < bond.other)
     }
 
     /// Number of nodes.

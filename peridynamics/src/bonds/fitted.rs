@@ -13,7 +13,7 @@ use crate::plastic::Plastic;
 impl Flow {
     /// Nothing has flowed; families are whole, `places` those of nodes and images at rest, volumes what the body has of nodes.
     pub fn new(network: &Network, plastic: Plastic, places: &[Vec3], volumes: &[f64]) -> Self {
-        let (count, packs) = (network.len(), network.others.len());
+        let (count, packs) = (network.len(), network.packs());
         let none = || vec![[0.0; LANES]; packs];
         let mut out = Self {
             plastic,
@@ -42,8 +42,7 @@ impl Flow {
     pub fn fit(&mut self, network: &Network, node: usize) -> [f64; 2] {
         let (mut whole, mut squares) = (0.0, SMatrix::<f64, 6, 6>::zeros());
         let direction = |places: &[Vec3], other: usize, length: f64| (places[other] - places[node]) / length;
-        for lane in network.lanes_of(node) {
-            let bond = network.bond(lane);
+        for (_, bond) in network.bonds_of(node) {
             let share = bond.stiffness * bond.length * bond.length;
             let phi = products::<6>(&direction(&self.places, bond.other, bond.length));
             whole += share;
@@ -55,8 +54,7 @@ impl Flow {
         let even = SVector::from_fn(|p, _| if p < 3 { whole / 3.0 } else { 0.0 });
         let form = least_of_six(squares, &even);
         let mut sum = 0.0;
-        for lane in network.lanes_of(node) {
-            let bond = network.bond(lane);
+        for (lane, bond) in network.bonds_of(node) {
             let round =
                 bond.length * form.dot(&products::<6>(&direction(&self.places, bond.other, bond.length)));
             sum += bond.stiffness * round * round;
@@ -67,8 +65,8 @@ impl Flow {
 
     /// Takes ρ of the bonds of a node over from their other ends.
     fn take_round(&mut self, network: &Network, node: usize) {
-        for lane in network.lanes_of(node) {
-            let twin = network.twin_of(node, network.bond(lane).other);
+        for (lane, bond) in network.bonds_of(node) {
+            let twin = network.twin_of(node, bond.other);
             self.round_twin[lane / LANES][lane % LANES] = self.round[twin / LANES][twin % LANES];
         }
     }
@@ -81,8 +79,7 @@ impl Network {
             Some(images) => (images.source(other), images.seen_back(node, other)),
             None => (other, node),
         };
-        let others = self.others[self.packs_of(from)].as_flattened();
-        LANES * self.packs_of(from).start + others.partition_point(|&other| (other as usize) < seen)
+        LANES * self.packs_of(from).start + self.family(from).before(seen)
     }
 
     /// Fits what yields to the bonds that these nodes have left.

@@ -7,10 +7,11 @@
 
 use std::ops::Range;
 
-use lanes::{Lanes, Sweep, Vector, widest};
+use lanes::{Lanes, Reals, Sweep, Vector, widest};
 use parallel::{ByChunk, CHUNK};
 
 use super::network::{LANES, Network, Row};
+use super::patterns::{Family, Number};
 use super::present::{Own, Present};
 use crate::share::Share;
 
@@ -72,66 +73,103 @@ impl<const DILATATION: bool, const FLOW: bool, const ENERGY: bool, const WATCH: 
     fn run<L: Lanes>(self, lanes: L) -> f64 {
         let Self { network, rows, first, forces, watch, beyond } = self;
         let mut energy = 0.0;
-        let none = lanes.same(0.0);
-        let flow = network.flow.as_deref().filter(|_| FLOW);
-        let [low, high] =
-            watch.map_or([none; 2], |watch| [watch.compression, watch.tension].map(|s| lanes.same(s)));
+        let at = At { network, rows, watch };
         for (i, force) in forces.iter_mut().enumerate() {
             let node = first + i;
-            let own = Own::all(lanes, &rows[node]);
-            let mut sum = lanes.vector([0.0; 3]);
-            let mut stored = none;
-            let returned = flow.map_or([none; 2], |flow| flow.trial[node].map(|value| lanes.same(value)));
-            let packs = network.packs_of(node);
-            let start = packs.start;
-            let [here, there] = network.shares(packs.clone());
-            let elastic = network.lengths[packs.clone()].iter().zip(&network.stiffness[packs.clone()]);
-            let bonds = network.others[packs].iter().zip(elastic).zip(here.iter().zip(there)).enumerate();
-            for (k, ((others, (rest, stiffness)), (here, there))) in bonds {
-                let bond = Present::of(lanes, &own, others, rows);
-                let rest = lanes.read(rest);
-                let extension = bond.length - rest;
-                let stiffness = lanes.read(stiffness);
-                let mut pull;
-                if FLOW && let Some(flow) = flow {
-                    let [near, far] = flow.elastic(lanes, start + k, returned, others, extension);
-                    // The sum first: the same from both ends, and without flow that of an elastic bond.
-                    pull = stiffness * ((near + far) * 0.5);
-                    if ENERGY {
-                        stored += stiffness * near * near;
-                    }
-                } else {
-                    pull = stiffness * extension;
-                    if ENERGY {
-                        stored += pull * extension;
-                    }
-                }
-                if DILATATION {
-                    // The sum of the two products first: the same from both ends.
-                    pull += own.last * lanes.read(here) + bond.last * lanes.read(there);
-                }
-                // One quotient in place of three: the pull over the length, times the reach along each axis.
-                sum += bond.reach * (pull / bond.length);
-                if WATCH && let Some(watch) = watch {
-                    let over = extension.outside(low * rest, high * rest);
-                    let over = over & watch.lanes[start + k];
-                    if over != 0 {
-                        note(over, start + k, beyond);
-                    }
-                }
-            }
+            let family = network.family(node);
+            let (sum, stored) = if family.is_shifted {
+                at.node::<L, true, DILATATION, FLOW, ENERGY, WATCH>(lanes, node, &family, beyond)
+            } else {
+                at.node::<L, false, DILATATION, FLOW, ENERGY, WATCH>(lanes, node, &family, beyond)
+            };
             *force = downhill(sum);
             if ENERGY {
                 // Half of each bond's energy belongs to each of its ends, and each bond is met at both.
                 energy += 0.25 * stored.total();
-                if let Some(dilatation) = &network.dilatation
-                    && dilatation.factors[node] != 0.0
+                if let Some(factors) = &network.dilatation
+                    && factors[node] != 0.0
                 {
-                    energy += 0.5 * rows[node][3] * rows[node][3] / dilatation.factors[node];
+                    energy += 0.5 * rows[node][3] * rows[node][3] / factors[node];
                 }
             }
         }
         energy
+    }
+}
+
+/// Where nodes are, and what their bonds are held against.
+#[derive(Clone, Copy)]
+struct At<'a> {
+    network: &'a Network,
+    rows: &'a [Row],
+    watch: Option<&'a Watch>,
+}
+
+impl At<'_> {
+    /// What the bonds of a node pull it with, and four times the energy that they store, lane by lane.
+    #[inline(always)]
+    fn node<
+        L: Lanes,
+        const SHIFTED: bool,
+        const DILATATION: bool,
+        const FLOW: bool,
+        const ENERGY: bool,
+        const WATCH: bool,
+    >(
+        self,
+        lanes: L,
+        node: usize,
+        family: &Family<'_>,
+        beyond: &mut Vec<u32>,
+    ) -> (Vector<L, 3>, Reals<L>) {
+        let Self { network, rows, watch } = self;
+        let none = lanes.same(0.0);
+        let flow = network.flow.as_deref().filter(|_| FLOW);
+        let [low, high] =
+            watch.map_or([none; 2], |watch| [watch.compression, watch.tension].map(|s| lanes.same(s)));
+        let own = Own::all(lanes, &rows[node]);
+        let (mut sum, mut stored) = (lanes.vector([0.0; 3]), none);
+        let returned = flow.map_or([none; 2], |flow| flow.trial[node].map(|value| lanes.same(value)));
+        let start = network.packs_of(node).start;
+        let lengths = family.values::<SHIFTED>(Number::Length, true);
+        let stiffnesses = family.values::<SHIFTED>(Number::Stiffness, true);
+        let here = family.values::<SHIFTED>(Number::Own, DILATATION);
+        let there = family.values::<SHIFTED>(Number::Twin, DILATATION);
+        for k in 0..family.len() {
+            let others = &family.others(k);
+            let bond = Present::of(lanes, &own, others, rows);
+            let rest = lengths.of(lanes, k);
+            let extension = bond.length - rest;
+            let stiffness = stiffnesses.of(lanes, k);
+            let mut pull;
+            if FLOW && let Some(flow) = flow {
+                let [near, far] = flow.elastic(lanes, start + k, returned, others, extension);
+                // The sum first: the same from both ends, and without flow that of an elastic bond.
+                pull = stiffness * ((near + far) * 0.5);
+                if ENERGY {
+                    stored += stiffness * near * near;
+                }
+            } else {
+                pull = stiffness * extension;
+                if ENERGY {
+                    stored += pull * extension;
+                }
+            }
+            if DILATATION {
+                // The sum of the two products first: the same from both ends.
+                pull += own.last * here.of(lanes, k) + bond.last * there.of(lanes, k);
+            }
+            // One quotient in place of three: the pull over the length, times the reach along each axis.
+            sum += bond.reach * (pull / bond.length);
+            if WATCH && let Some(watch) = watch {
+                let over = extension.outside(low * rest, high * rest);
+                let over = over & watch.lanes[start + k];
+                if over != 0 {
+                    note(over, start + k, beyond);
+                }
+            }
+        }
+        (sum, stored)
     }
 }
 
@@ -258,47 +296,32 @@ impl Network {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bonds::patterns::Packs;
     use lanes::Plain;
+    use std::collections::BTreeMap;
 
     /// Bonds of uneven families, some of them broken, one of these between nodes that coincide.
     fn network(nodes: usize, state_based: bool) -> Network {
         let share = |k: usize| 0.1 + ((k * 7919) % 1000) as f64 / 1000.0;
-        let mut out = Network {
-            starts: vec![0],
-            others: Vec::new(),
-            lengths: Vec::new(),
-            stiffness: Vec::new(),
-            dilatation: None,
-            bonds: 0,
-            images: None,
-            flow: None,
-            heat: None,
-        };
-        let (mut own, mut twin) = (Vec::new(), Vec::new());
+        let mut out = Network::empty(state_based.then(|| (0..nodes).map(share).collect()));
+        let (mut known, mut packs) = (BTreeMap::new(), Packs::default());
         for node in 0..nodes {
-            for pack in 0..1 + node % 5 {
-                let at = |lane: usize| (node + 1 + 3 * pack + lane) % nodes;
-                let number = |lane: usize| 31 * node + 4 * pack + lane;
-                let whole =
-                    |lane: usize| if number(lane).is_multiple_of(6) { 0.0 } else { share(number(lane)) };
-                out.others.push(std::array::from_fn(|lane| at(lane) as u32));
-                out.lengths.push(std::array::from_fn(|lane| share(at(lane))));
-                out.stiffness.push(std::array::from_fn(whole));
-                own.push(std::array::from_fn(whole));
-                twin.push(std::array::from_fn(|lane| 1.1 * whole(lane)));
-                out.bonds += LANES;
+            packs.clear();
+            for k in 0..LANES * (1 + node % 5) {
+                let at = (node + 1 + 3 * (k / LANES) + k % LANES) % nodes;
+                let number = 31 * node + k;
+                let whole = if number.is_multiple_of(6) { 0.0 } else { share(number) };
+                let shares = state_based.then_some([whole, 1.1 * whole]);
+                packs.put(k, at as i32 - node as i32, share(at), whole, shares);
+                out.bonds += 1;
             }
-            out.starts.push(out.others.len() as u32);
-        }
-        if state_based {
-            let factors = (0..nodes).map(share).collect();
-            out.dilatation = Some(super::super::network::Dilatation { own, twin, factors });
+            out.add(&packs, &mut known);
         }
         out
     }
 
     fn swept<const DILATATION: bool>(plain: bool, network: &Network, rows: &[Row]) -> (Vec<u64>, Vec<u32>) {
-        let lanes_of = vec![0b1011; network.others.len()];
+        let lanes_of = vec![0b1011; network.packs()];
         let watch = Watch { lanes: lanes_of, tension: 0.2, compression: -0.1 };
         let (mut forces, mut beyond) = (vec![[0.0; 4]; rows.len()], Vec::new());
         let chunk = Chunk::<DILATATION, false, true, true> {

@@ -15,8 +15,8 @@ pub(crate) fn fragments(network: &Network, whole: impl Fn(usize) -> bool) -> Vec
         let mut size = 0;
         while let Some(node) = waiting.pop() {
             size += 1;
-            for lane in network.lanes_of(node).filter(|&lane| whole(lane)) {
-                let other = network.source(network.bond(lane).other);
+            for (_, bond) in network.bonds_of(node).filter(|(lane, _)| whole(*lane)) {
+                let other = network.source(bond.other);
                 if !std::mem::replace(&mut seen[other], true) {
                     waiting.push(other);
                 }

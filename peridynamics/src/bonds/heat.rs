@@ -7,9 +7,10 @@
 //! [madenci2014, ch. 4]. A body of one temperature that nothing holds, and by the mean of both ends one whose temperature is linear in space, is free
 //! of stress whatever its law and its weights; extensions, dilatations and limits of bonds are those of what is left.
 
-use lanes::{LANES, Pack};
+use lanes::Pack;
 
 use super::network::Network;
+use super::patterns::Number;
 
 /// Lengths of bonds by the level of heat.
 #[derive(Clone, Debug)]
@@ -20,31 +21,41 @@ pub(crate) struct BondHeat {
     growth: Vec<Pack>,
 }
 
+impl BondHeat {
+    /// Memory \[bytes\].
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.cold[..]) + size_of_val(&self.growth[..])
+    }
+}
+
 impl Network {
     /// Warms bonds by what each node would be strained by were it free, at level one \[–\]; lengths stay those of level zero. Returns the norm over
     /// nodes of what their bonds would pull with were they held, pull by pull \[F\].
     pub fn warm(&mut self, strains: &[f64]) -> f64 {
-        let mut growth = self.lengths.clone();
+        let cold = self.take_apart().to_vec();
+        let mut growth = cold.clone();
         let mut sum = 0.0;
         for (node, own) in strains.iter().enumerate() {
+            let (first, family) = (self.packs_of(node).start, self.family(node));
             let mut exerts = 0.0;
-            for pack in self.packs_of(node) {
-                for lane in 0..LANES {
-                    let other = self.source(self.others[pack][lane] as usize);
-                    growth[pack][lane] *= 0.5 * (own + strains[other]);
-                    exerts += self.stiffness[pack][lane] * growth[pack][lane].abs();
+            for (k, grown) in growth[first..first + family.len()].iter_mut().enumerate() {
+                for (lane, other) in family.others(k).into_iter().enumerate() {
+                    grown[lane] *= 0.5 * (own + strains[self.source(other as usize)]);
+                    exerts += family.value(Number::Stiffness, k, lane) * grown[lane].abs();
                 }
             }
             sum += exerts * exerts;
         }
-        self.heat = Some(Box::new(BondHeat { cold: self.lengths.clone(), growth }));
+        self.heat = Some(Box::new(BondHeat { cold, growth }));
         sum.sqrt()
     }
 
     /// Lengths as a level of heat has them, to the bit those at rest at level zero.
     pub fn expand(&mut self, level: f64) {
         let Some(heat) = &self.heat else { return };
-        for (length, (cold, growth)) in self.lengths.iter_mut().zip(heat.cold.iter().zip(&heat.growth)) {
+        for (length, (cold, growth)) in
+            self.patterns.lengths_mut().iter_mut().zip(heat.cold.iter().zip(&heat.growth))
+        {
             *length = std::array::from_fn(|lane| cold[lane] + level * growth[lane]);
         }
     }

@@ -5,6 +5,7 @@ use sph_core::Vec3;
 
 use super::families::Families;
 use super::network::{LANES, Network, Row};
+use super::patterns::{Family, Number};
 
 /// Which lanes are bonds, and which of those are whole.
 #[derive(Clone, Debug)]
@@ -18,7 +19,7 @@ pub(crate) struct Whole {
 impl Whole {
     /// All bonds whole.
     pub fn new(network: &Network, families: &Families) -> Self {
-        let mut all = vec![0; network.others.len()];
+        let mut all = vec![0; network.packs()];
         for node in 0..network.len() {
             for (lane, _) in network.lanes_of(node).zip(families.of(node)) {
                 all[lane / LANES] |= 1 << (lane % LANES);
@@ -80,28 +81,30 @@ pub(crate) struct Bond {
 }
 
 impl Network {
-    /// A directed bond by its lane, counted through all packs.
-    pub fn bond(&self, lane: usize) -> Bond {
-        let [plastic, round] = self.flow.as_ref().map_or([[0.0; 2]; 2], |flow| flow.of_lane(lane));
-        let (pack, lane) = (lane / LANES, lane % LANES);
-        let shares = self.dilatation.as_ref().map_or([0.0; 2], |d| [d.own[pack][lane], d.twin[pack][lane]]);
-        Bond {
-            other: self.others[pack][lane] as usize,
-            length: self.lengths[pack][lane],
-            stiffness: self.stiffness[pack][lane],
-            shares,
-            plastic,
-            round,
-        }
+    /// A directed bond of a node by its lane, counted through all packs.
+    pub fn bond(&self, node: usize, lane: usize) -> Bond {
+        self.bond_in(&self.family(node), self.packs_of(node).start, lane)
     }
 
-    /// Takes all that it carries from a directed bond.
-    pub fn sever(&mut self, lane: usize) {
-        let (pack, lane) = (lane / LANES, lane % LANES);
-        self.stiffness[pack][lane] = 0.0;
-        if let Some(dilatation) = &mut self.dilatation {
-            dilatation.own[pack][lane] = 0.0;
-            dilatation.twin[pack][lane] = 0.0;
+    /// All lanes of a node with their bonds.
+    pub fn bonds_of(&self, node: usize) -> impl Iterator<Item = (usize, Bond)> {
+        let (family, start) = (self.family(node), self.packs_of(node).start);
+        self.lanes_of(node).map(move |lane| (lane, self.bond_in(&family, start, lane)))
+    }
+
+    /// A bond of a family whose packs start there.
+    #[inline]
+    fn bond_in(&self, family: &Family<'_>, start: usize, lane: usize) -> Bond {
+        let [plastic, round] = self.flow.as_ref().map_or([[0.0; 2]; 2], |flow| flow.of_lane(lane));
+        let (pack, lane) = (lane / LANES - start, lane % LANES);
+        let value = |number: Number| family.value(number, pack, lane);
+        Bond {
+            other: family.others(pack)[lane] as usize,
+            length: value(Number::Length),
+            stiffness: value(Number::Stiffness),
+            shares: [value(Number::Own), value(Number::Twin)],
+            plastic,
+            round,
         }
     }
 
@@ -149,30 +152,25 @@ impl Network {
 
     /// Dilatation θ of a node \[–\], zero for a law without one.
     pub fn dilatation_of(&self, node: usize, rows: &[Row]) -> f64 {
-        let part = |lane: usize| {
-            let bond = self.bond(lane);
-            bond.shares[0] * bond.extension(node, rows)
-        };
-        if self.dilatation.is_some() { self.lanes_of(node).map(part).sum() } else { 0.0 }
+        let part = |(_, bond): (usize, Bond)| bond.shares[0] * bond.extension(node, rows);
+        if self.dilatation.is_some() { self.bonds_of(node).map(part).sum() } else { 0.0 }
     }
 
     /// Energy stored in the bonds of a node, half of each, with that of its dilatation \[F L\].
     pub fn stored(&self, rows: &[Row], node: usize) -> f64 {
-        let half = |lane: usize| {
-            let bond = self.bond(lane);
+        let half = |(_, bond): (usize, Bond)| {
             let [elastic, _] = self.elastic(node, &bond, bond.extension(node, rows));
             0.25 * bond.stiffness * elastic.powi(2)
         };
-        let factor = self.dilatation.as_ref().map_or(0.0, |dilatation| dilatation.factors[node]);
+        let factor = self.dilatation.as_ref().map_or(0.0, |factors| factors[node]);
         let dilated = if factor == 0.0 { 0.0 } else { 0.5 * rows[node][3] * rows[node][3] / factor };
-        self.lanes_of(node).map(half).sum::<f64>() + dilated
+        self.bonds_of(node).map(half).sum::<f64>() + dilated
     }
 
     /// What the bonds of a node pull along an axis that reach through its plane of symmetry on a side, −1 or 1 \[F\].
     pub fn across(&self, rows: &[Row], node: usize, (axis, side): (usize, i32)) -> f64 {
         let Some(images) = &self.images else { return 0.0 };
-        let of = |lane: usize| {
-            let bond = self.bond(lane);
+        let of = |(_, bond): (usize, Bond)| {
             if images.side(bond.other, axis) != side {
                 return 0.0;
             }
@@ -184,15 +182,14 @@ impl Network {
                 0.0
             }
         };
-        images.counts(node, axis) * self.lanes_of(node).map(of).sum::<f64>()
+        images.counts(node, axis) * self.bonds_of(node).map(of).sum::<f64>()
     }
 
     /// `½ Σ f ⊗ y` over the bonds y of a node and their pulls f, both at present: the volume times the stress, that of
     /// Kirchhoff, and at small strains of Cauchy \[F L\]. Half of a bond belongs to each of its ends.
     pub fn virial(&self, rows: &[Row], node: usize) -> Matrix3<f64> {
         let mut sum = Matrix3::zeros();
-        for lane in self.lanes_of(node) {
-            let bond = self.bond(lane);
+        for (_, bond) in self.bonds_of(node) {
             let y = bond.between(node, rows);
             let length = y.norm();
             if length > 0.0 {

@@ -50,6 +50,8 @@ pub(super) struct Wanted<'a, const T: usize> {
     pub products: [&'static [usize]; T],
     /// t of each node, those with r over the spacing.
     pub rows: Vec<SVector<f64, T>>,
+    /// Lengths of directed bonds \[L\].
+    pub lengths: Vec<f64>,
     /// u of directed bonds at the start, then as found.
     pub shares: Vec<f64>,
     /// w of directed bonds, the same from both ends.
@@ -117,7 +119,7 @@ impl<const T: usize> Wanted<'_, T> {
     /// v of a bond.
     #[inline(always)]
     fn values(&self, node: usize, bond: usize) -> SVector<f64, T> {
-        let r = self.families.lengths[bond];
+        let r = self.lengths[bond];
         let n = (self.positions[self.families.others[bond] as usize] - self.positions[node]) / r;
         SVector::from_fn(|q, _| {
             let product: f64 = self.products[q].iter().map(|&a| n[a]).product();

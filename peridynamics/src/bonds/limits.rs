@@ -20,7 +20,7 @@
 use sph_core::Vec3;
 
 use super::correction::weights;
-use super::families::{Families, Nodes};
+use super::families::{Families, Nodes, Seen};
 use crate::error::SolidError;
 use crate::formulation::{Correction, Formulation};
 use crate::fracture::Criterion;
@@ -90,23 +90,23 @@ impl Lattice<'_> {
         let nodes = Nodes { positions: &positions, volumes: &volumes, spacing: greatest, mirrors: &[] };
         let families = Families::new(&nodes, self.formulation.horizon, self.formulation.volumes)?;
         let thickness = if d == 2 { spacing[2] } else { 1.0 };
-        let weights = weights(&families, &positions, self.formulation, self.moduli, thickness);
+        let weights = weights(&families, self.formulation, self.moduli, thickness);
         let mut out = Sums { energy: 0.0, bonds: 0.0 };
         for axis in 0..d {
-            for bond in families.of(0) {
-                let across = positions[families.others[bond] as usize][axis].abs();
+            for bond in families.bonds(0) {
+                let across = positions[bond.other][axis].abs();
                 // A bond of an infinite lattice has the stiffness 2VC.
-                let held = 0.5 * across * weights.deviatoric[bond] * families.lengths[bond].powi(2);
+                let held = 0.5 * across * weights.of(&bond).deviatoric * bond.length.powi(2);
                 out.energy += held;
                 out.bonds += held;
             }
             let dz = spacing[axis];
-            let rows = if weights.dilatation.is_empty() { 0 } else { half[axis] };
+            let rows = if weights.has_dilatation() { half[axis] } else { 0 };
             for row in 0..rows {
                 let z = (f64::from(row) + 0.5) * dz;
-                let crossing = |bond: &usize| positions[families.others[*bond] as usize][axis] > z;
-                let part = |bond: usize| weights.dilatation[bond] * families.lengths[bond];
-                let theta: f64 = families.of(0).filter(crossing).map(part).sum();
+                let crossing = |bond: &Seen| positions[bond.other][axis] > z;
+                let part = |bond: Seen| weights.of(&bond).dilatation * bond.length;
+                let theta: f64 = families.bonds(0).filter(crossing).map(part).sum();
                 out.energy += dz * (self.moduli.lambda - self.moduli.mu) * theta * theta;
             }
         }
@@ -166,10 +166,10 @@ mod tests {
         let nodes = Nodes { positions: &positions, volumes: &volumes, spacing: SPACING, mirrors: &[] };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes).unwrap();
         let thickness = if moduli.dimensions == 2 { SPACING } else { 1.0 };
-        let weights = weights(&families, &positions, formulation, &moduli, thickness);
-        let mut network = Network::new(&families, &weights, &volumes, &moduli);
+        let weights = weights(&families, formulation, &moduli, thickness);
+        let mut network = Network::new(&families, &weights, None, &moduli);
         let whole = network.clone();
-        let mut breaking = Breaking::new(&network, &families, &volumes);
+        let mut breaking = Breaking::new(&network, &families);
         let lattice = Lattice { formulation, moduli: &moduli, spacing: [SPACING; 3] };
         let criterion = if by_work { Criterion::EnergyByWork(1.0) } else { Criterion::EnergyByStretch(1.0) };
         let limit = lattice.limit(&criterion).unwrap();
@@ -197,7 +197,7 @@ mod tests {
             }
             let mut theta = 0.0;
             for lane in breaking.bonds.broken(network.packs_of(node)) {
-                let bond = whole.bond(lane);
+                let bond = whole.bond(node, lane);
                 match limit {
                     Limit::Stretch { tension, .. } => {
                         let e = tension * bond.length;

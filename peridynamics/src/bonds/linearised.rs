@@ -63,18 +63,21 @@ impl Network {
     /// Whole bonds of a node, others ascending: those with a stiffness or a share in a dilatation.
     fn whole(&self, node: usize) -> impl Iterator<Item = Bond> {
         let carries = |bond: &Bond| bond.stiffness != 0.0 || bond.shares != [0.0; 2];
-        self.lanes_of(node).map(|lane| self.bond(lane)).filter(carries)
+        self.bonds_of(node).map(|(_, bond)| bond).filter(carries)
     }
 
     /// The nodes at the other ends of a node's bonds, and those whose images are there. Broken bonds count too, and some ends come
     /// more than once: the pattern of a tangent stays as bonds break, and with it the order in which it is factored.
     pub fn neighbours(&self, node: usize) -> impl Iterator<Item = u32> {
-        self.lanes_of(node).map(|lane| self.source(self.bond(lane).other) as u32)
+        let family = self.family(node);
+        (0..family.len())
+            .flat_map(move |pack| family.others(pack))
+            .map(|other| self.source(other as usize) as u32)
     }
 
     /// The factors of the dilatations, if any of them counts.
     pub fn dilatation_factors(&self) -> Option<&[f64]> {
-        let factors = &self.dilatation.as_ref()?.factors;
+        let factors = self.dilatation.as_ref()?;
         factors.iter().any(|&factor| factor != 0.0).then_some(factors)
     }
 
@@ -121,10 +124,10 @@ impl Network {
 
     /// `(λ − μ) V θ` of all nodes; nothing without a dilatation.
     fn stressed_dilatations(&self, rows: &[Row]) -> Vec<f64> {
-        let Some(dilatation) = &self.dilatation else { return Vec::new() };
+        let Some(factors) = &self.dilatation else { return Vec::new() };
         let of = |node: usize| {
             let share = |bond: Bond| bond.shares[0] * bond.extension(node, rows);
-            dilatation.factors[node] * self.whole(node).map(share).sum::<f64>()
+            factors[node] * self.whole(node).map(share).sum::<f64>()
         };
         (0..self.len()).map(of).collect()
     }

@@ -21,6 +21,7 @@ pub(crate) mod limits;
 mod linearised;
 pub(crate) mod mechanics;
 pub(crate) mod network;
+mod patterns;
 mod present;
 pub(crate) mod repulsion;
 pub(crate) mod solid_bonds;

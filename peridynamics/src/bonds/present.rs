@@ -5,6 +5,7 @@ use std::ops::Range;
 use lanes::{Lanes, Reals, Sweep, Vector, widest};
 
 use super::network::{LANES, Network, Row};
+use super::patterns::{Family, Number};
 use crate::share::Share;
 
 /// Least square of a present length \[L²\]: a bond that has collapsed pulls nowhere.
@@ -69,22 +70,36 @@ impl Sweep for Dilate<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
         let Self { network, rows, first, out } = self;
-        let Some(dilatation) = &network.dilatation else { return };
+        let Some(factors) = &network.dilatation else { return };
         for (i, value) in out.iter_mut().enumerate() {
             let node = first + i;
-            let own = Own::all(lanes, &rows[node]);
-            let packs = network.packs_of(node);
-            let mut sum = lanes.same(0.0);
-            let shares = &dilatation.own[packs.clone()];
-            for ((others, rest), share) in
-                network.others[packs.clone()].iter().zip(&network.lengths[packs]).zip(shares)
-            {
-                let bond = Present::of(lanes, &own, others, rows);
-                sum += lanes.read(share) * (bond.length - lanes.read(rest));
-            }
-            *value = dilatation.factors[node] * sum.total();
+            let (own, family) = (Own::all(lanes, &rows[node]), network.family(node));
+            let sum = if family.is_shifted {
+                dilated::<L, true>(lanes, &own, &family, rows)
+            } else {
+                dilated::<L, false>(lanes, &own, &family, rows)
+            };
+            *value = factors[node] * sum.total();
         }
     }
+}
+
+/// θ of a node, lane by lane.
+#[inline(always)]
+fn dilated<L: Lanes, const SHIFTED: bool>(
+    lanes: L,
+    own: &Own<L>,
+    family: &Family<'_>,
+    rows: &[Row],
+) -> Reals<L> {
+    let lengths = family.values::<SHIFTED>(Number::Length, true);
+    let shares = family.values::<SHIFTED>(Number::Own, true);
+    let mut sum = lanes.same(0.0);
+    for k in 0..family.len() {
+        let bond = Present::of(lanes, own, &family.others(k), rows);
+        sum += shares.of(lanes, k) * (bond.length - lengths.of(lanes, k));
+    }
+    sum
 }
 
 impl Network {

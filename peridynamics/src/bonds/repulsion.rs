@@ -166,7 +166,7 @@ impl Repulsion {
             }
         };
         for lane in bonds.broken(network.packs_of(node)) {
-            let bond = network.bond(lane);
+            let bond = network.bond(node, lane);
             repel(bond.other, self.distance.min(bond.length));
         }
         let [start, end] = [0, 1].map(|next| self.starts[node - listed + next] as usize);
@@ -201,9 +201,8 @@ impl Repulsion {
         for node in own {
             cells.within(&self.listed[node], reach, &mut around);
             let bonded = |other: u32| {
-                body.network
-                    .lanes_of(node)
-                    .any(|lane| body.bonds.is_bond(lane) && body.network.bond(lane).other == other as usize)
+                let mut bonds = body.network.bonds_of(node);
+                bonds.any(|(lane, bond)| body.bonds.is_bond(lane) && bond.other == other as usize)
             };
             let strangers = around.iter().filter(|&&other| other as usize != node && !bonded(other));
             self.near.extend(strangers);

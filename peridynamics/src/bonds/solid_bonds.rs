@@ -54,13 +54,13 @@ impl SolidBonds {
         let spacing = block.greatest_spacing();
         let nodes = Nodes { positions: &block.positions, volumes: &block.volumes, spacing, mirrors };
         let families = Families::new(&nodes, formulation.horizon, formulation.volumes)?;
-        let places = &*families.extended(&block.positions);
+        let places = &families.places[..];
         if moduli.dimensions == 3 && flat(&families, places) {
             return Err(SolidError::OneLayer);
         }
         refuse_flat(&families, places, formulation, moduli.dimensions)?;
         let thickness = if moduli.dimensions == 2 { block.spacing[2] } else { 1.0 };
-        let mut weights = weights(&families, &block.positions, formulation, &moduli, thickness);
+        let mut weights = weights(&families, formulation, &moduli, thickness);
         if formulation.correction == Correction::Balanced {
             let areas = areas(block, mirrors, families.images.as_deref())?;
             let (families, volumes) = (&families, &block.volumes);
@@ -68,12 +68,12 @@ impl SolidBonds {
                 Balance { families, positions: places, volumes, areas: &areas, spacing, moduli: &moduli };
             body.bring(&mut weights)?;
         }
-        let mut network = Network::new(&families, &weights, &block.volumes, &moduli);
+        let mut network = Network::new(&families, &weights, None, &moduli);
         if let Some(&plastic) = plastic {
             network.flow = Some(Box::new(Flow::new(&network, plastic, places, &block.volumes)));
         }
         let scratch = Scratch::new(&network);
-        let mut breaking = breakage.breaks().then(|| Breaking::new(&network, &families, &block.volumes));
+        let mut breaking = breakage.breaks().then(|| Breaking::new(&network, &families));
         if let Some(breaking) = &mut breaking {
             for (number, crack) in breakage.cracks.iter().enumerate() {
                 let cut = crack.cut(number, moduli.dimensions)?;

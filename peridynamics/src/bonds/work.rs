@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use parallel::{ByChunk, CHUNK};
 
+use super::intact::Bond;
 use super::network::{LANES, Network, Row};
 use crate::share::Share;
 
@@ -46,12 +47,12 @@ impl Worked {
 
 impl Works {
     /// No work done; `limits` of lanes.
-    pub fn new(network: &Network, lanes: Vec<u8>, limits: &dyn Fn(usize) -> f64) -> Self {
+    pub fn new(network: &Network, lanes: Vec<u8>, limits: &dyn Fn(&Bond) -> f64) -> Self {
         let chunk = |number: usize| {
             let nodes = number * CHUNK..((number + 1) * CHUNK).min(network.len());
             let first = network.lanes_of(nodes.start).start;
-            let lanes = nodes.flat_map(|node| network.lanes_of(node));
-            let bonds = lanes.map(|lane| Worked { limit: limits(lane), ..Worked::default() }).collect();
+            let of = |(_, bond): (usize, Bond)| Worked { limit: limits(&bond), ..Worked::default() };
+            let bonds = nodes.flat_map(|node| network.bonds_of(node)).map(of).collect();
             Chunk { first, bonds, beyond: Vec::new() }
         };
         Self { lanes, chunks: (0..network.len().div_ceil(CHUNK)).map(chunk).collect() }
@@ -64,11 +65,11 @@ impl Works {
             let Some(chunk) = own.first_mut() else { return };
             chunk.beyond.clear();
             for node in first..(first + CHUNK).min(network.len()) {
-                for lane in network.lanes_of(node) {
+                for (lane, bond) in network.bonds_of(node) {
                     if lanes[lane / LANES] & (1 << (lane % LANES)) == 0 {
                         continue;
                     }
-                    let (bond, worked) = (network.bond(lane), &mut chunk.bonds[lane - chunk.first]);
+                    let worked = &mut chunk.bonds[lane - chunk.first];
                     let extension = bond.extension(node, rows);
                     let pull = network.pull(node, &bond, extension, rows);
                     worked.done = worked.up_to(pull, extension);
@@ -86,7 +87,7 @@ impl Works {
     /// `√(work/limit)` of a stretched bond were the work added up to these rows, zero of others; nothing is added.
     pub fn utilisation(&self, network: &Network, node: usize, lane: usize, rows: &[Row]) -> f64 {
         let chunk = &self.chunks[node / CHUNK];
-        let (bond, worked) = (network.bond(lane), &chunk.bonds[lane - chunk.first]);
+        let (bond, worked) = (network.bond(node, lane), &chunk.bonds[lane - chunk.first]);
         let extension = bond.extension(node, rows);
         let done = worked.up_to(network.pull(node, &bond, extension, rows), extension);
         if extension > 0.0 { (done.max(0.0) / worked.limit).sqrt() } else { 0.0 }

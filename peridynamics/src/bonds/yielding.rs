@@ -7,6 +7,7 @@ use parallel::Lists;
 
 use super::flow::{Flow, Kept, Past, Surface};
 use super::network::{Network, Pack, Row};
+use super::patterns::{Family, Number};
 use super::present::{Own, Present, keep};
 use crate::plastic::Plastic;
 use crate::share::Share;
@@ -38,31 +39,49 @@ impl Sweep for Try<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
         let Self { network, flow, rows, first, dilatations, trial, coming } = self;
-        let Some(dilatation) = &network.dilatation else { return };
+        let Some(factors) = &network.dilatation else { return };
         for (i, value) in dilatations.iter_mut().enumerate() {
             let node = first + i;
-            let own = Own::all(lanes, &rows[node]);
+            let (own, family) = (Own::all(lanes, &rows[node]), network.family(node));
             let packs = network.packs_of(node);
-            let [mut theta, mut square, mut along, mut whole] = [lanes.same(0.0); 4];
-            let bonds = network.others[packs.clone()].iter().zip(&network.lengths[packs.clone()]);
-            let laws = dilatation.own[packs.clone()].iter().zip(&network.stiffness[packs.clone()]);
-            let kept = flow.own[packs.clone()].iter().zip(&flow.round[packs]);
-            for (((others, rest), (share, stiffness)), (plastic, round)) in bonds.zip(laws).zip(kept) {
-                let bond = Present::of(lanes, &own, others, rows);
-                let (round, stiffness) = (lanes.read(round), lanes.read(stiffness));
-                let extension = bond.length - lanes.read(rest);
-                theta += lanes.read(share) * extension;
-                let elastic = extension - lanes.read(plastic);
-                let (stretched, rounded) = (stiffness * elastic, stiffness * round);
-                square += stretched * elastic;
-                along += rounded * elastic;
-                whole += rounded * round;
-            }
-            *value = dilatation.factors[node] * theta.total();
+            let kept = (&flow.own[packs.clone()], &flow.round[packs]);
+            let [theta, square, along, whole] = if family.is_shifted {
+                tried::<L, true>(lanes, &own, &family, kept, rows)
+            } else {
+                tried::<L, false>(lanes, &own, &family, kept, rows)
+            };
+            *value = factors[node] * theta.total();
             let sums = [square, along, whole].map(Reals::total);
             (trial[i], coming[i]) = flow.surfaces[node].flow(flow.plastic, flow.past[node].strain, sums);
         }
     }
+}
+
+/// θ, `Σ c a²`, `Σ c ρ a` and `Σ c ρ²` of a node, lane by lane, from p and ρ.
+#[inline(always)]
+fn tried<L: Lanes, const SHIFTED: bool>(
+    lanes: L,
+    own: &Own<L>,
+    family: &Family<'_>,
+    (plastic, round): (&[Pack], &[Pack]),
+    rows: &[Row],
+) -> [Reals<L>; 4] {
+    let lengths = family.values::<SHIFTED>(Number::Length, true);
+    let stiffnesses = family.values::<SHIFTED>(Number::Stiffness, true);
+    let shares = family.values::<SHIFTED>(Number::Own, true);
+    let [mut theta, mut square, mut along, mut whole] = [lanes.same(0.0); 4];
+    for (k, (plastic, round)) in plastic.iter().zip(round).enumerate() {
+        let bond = Present::of(lanes, own, &family.others(k), rows);
+        let (round, stiffness) = (lanes.read(round), stiffnesses.of(lanes, k));
+        let extension = bond.length - lengths.of(lanes, k);
+        theta += shares.of(lanes, k) * extension;
+        let elastic = extension - lanes.read(plastic);
+        let (stretched, rounded) = (stiffness * elastic, stiffness * round);
+        square += stretched * elastic;
+        along += rounded * elastic;
+        whole += rounded * round;
+    }
+    [theta, square, along, whole]
 }
 
 /// Packs of nodes, split where those of a node begin.
@@ -107,14 +126,19 @@ impl Sweep for Keep<'_> {
             let here = trial[node];
             let still = here[0] == 0.0;
             let here = here.map(|value| lanes.same(value));
-            for pack in network.packs_of(node) {
-                let others = &network.others[pack];
+            let family = network.family(node);
+            for (number, pack) in network.packs_of(node).enumerate() {
+                let others = &family.others(number);
                 let ends = others.map(|other| &trial[other as usize]);
                 if still && ends.iter().all(|end| end[0] == 0.0) {
                     continue;
                 }
                 let there = lanes.columns_of_two(ends).map(|four| Reals { lanes, four });
-                let rest = lanes.read(&network.lengths[pack]);
+                let rest = if family.is_shifted {
+                    family.values::<true>(Number::Length, true).of(lanes, number)
+                } else {
+                    family.values::<false>(Number::Length, true).of(lanes, number)
+                };
                 let extension = Present::of(lanes, &at, others, rows).length - rest;
                 let k = pack - own.starts[0] as usize;
                 let ends = [(&mut own.packs[k], here), (&mut twin.packs[k], there)];

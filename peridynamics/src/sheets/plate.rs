@@ -65,14 +65,14 @@ impl Plate {
         refuse_flat(&families, places, &formulation, moduli.dimensions)?;
         let directors = directors(places, &families, formulation.influence)?;
         let normals = &*families.reflected(&directors);
-        let mut weights = weights(&families, &plan, &formulation, &moduli, 0.5 * thickness);
+        let mut weights = weights(&families, &formulation, &moduli, 0.5 * thickness);
         if formulation.correction == Correction::Balanced {
             let flat = Block { positions: plan.clone(), ..block.clone() };
             let mut areas = areas(&flat, mirrors, families.images.as_deref())?;
             areas.iter_mut().for_each(|area| *area *= 0.5);
             Balance {
                 families: &families,
-                positions: &families.extended(&plan),
+                positions: &families.places,
                 volumes: &volumes,
                 areas: &areas,
                 spacing: nodes.spacing,
@@ -84,14 +84,7 @@ impl Plate {
         let lattice = Lattice { formulation: &formulation, moduli: &moduli, spacing };
         let fracture = breakage.fracture.as_ref();
         let limit = fracture.map(|fracture| lattice.limit(&fracture.criterion)).transpose()?;
-        let cloth = Cloth {
-            families: &families,
-            weights: &weights,
-            volumes: &volumes,
-            moduli: &moduli,
-            breakage,
-            limit,
-        };
+        let cloth = Cloth { families: &families, weights: &weights, moduli: &moduli, breakage, limit };
         let height = thickness / (2.0 * 3.0_f64.sqrt());
         let sheet = |z: f64| {
             let at_rest: Vec<Vec3> = places.iter().zip(normals).map(|(x, d)| x + d * z).collect();
@@ -364,6 +357,6 @@ impl Plate {
 
     /// Lanes of a sheet.
     fn lanes(&self) -> usize {
-        LANES * self.sheets[0].network.others.len()
+        LANES * self.sheets[0].network.packs()
     }
 }

@@ -27,9 +27,9 @@ pub(crate) fn directors(
 ) -> Result<Vec<Vec3>, SolidError> {
     let slope = |node: usize| {
         let (mut squares, mut rise) = (Matrix2::zeros(), Vector2::zeros());
-        for bond in families.of(node) {
-            let to = places[families.others[bond] as usize] - places[node];
-            let share = influence.weight(families.lengths[bond], families.reach) * families.volumes[bond];
+        for bond in families.bonds(node) {
+            let to = places[bond.other] - places[node];
+            let share = influence.weight(bond.length, families.reach) * families.volume(&bond);
             squares += share * to.xy() * to.xy().transpose();
             rise += share * to.z * to.xy();
         }

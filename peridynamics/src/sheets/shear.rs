@@ -2,7 +2,7 @@
 
 use sph_core::Vec3;
 
-use crate::bonds::families::Families;
+use crate::bonds::families::{Families, Seen};
 use crate::bonds::network::Row;
 use crate::formulation::Influence;
 use crate::material::Moduli;
@@ -69,16 +69,15 @@ impl Shear {
     ) -> Self {
         // D = E/(1 − ν²) t³/12, in a plane λ + 2μ = E/(1 − ν²).
         let bending = (moduli.lambda + 2.0 * moduli.mu) * thickness.powi(3) / 12.0;
-        let share =
-            |bond: usize| influence.weight(families.lengths[bond], families.reach) * families.volumes[bond];
-        let whole: Vec<f64> = (0..families.len()).map(|node| families.of(node).map(share).sum()).collect();
-        let mut twins = families.twins();
+        let share = |bond: &Seen| influence.weight(bond.length, families.reach) * families.volume(bond);
+        let whole: Vec<f64> =
+            (0..families.len()).map(|node| families.bonds(node).map(|bond| share(&bond)).sum()).collect();
         let areas = &*families.whole(areas);
         let (count, images) = (families.len(), places.len() - families.len());
-        let mut pair = |node: usize, bond: usize| {
-            let (other, r) = (families.others[bond] as usize, families.lengths[bond]);
-            let area = areas[node] * share(bond) / whole[node]
-                + areas[other] * share(twins.next(bond)) / whole[families.source(other)];
+        let pair = |bond: Seen| {
+            let Seen { node, other, length: r, .. } = bond;
+            let area = areas[node] * share(&bond) / whole[node]
+                + areas[other] * share(&families.back(&bond)) / whole[families.source(other)];
             let compliance = 1.0 / (SHEAR_FACTOR * moduli.mu * thickness) + r * r / (12.0 * bending);
             let rigidity = families.share(node) * 2.0 * area / compliance;
             let (stiffness, half) = (rigidity, 0.5 / r);
@@ -93,8 +92,8 @@ impl Shear {
             pair.rest = pair.sheared((&x, &d), (&y, &e)).strain;
             pair
         };
-        let pairs = (0..families.len()).flat_map(|node| families.of(node).map(move |bond| (node, bond)));
-        Self { starts: families.starts.clone(), pairs: pairs.map(|(node, bond)| pair(node, bond)).collect() }
+        let bonds = (0..families.len()).flat_map(|node| families.bonds(node));
+        Self { starts: families.starts.clone(), pairs: bonds.map(pair).collect() }
     }
 
     /// Pairs of a column.

@@ -30,9 +30,7 @@ pub(crate) struct Sheet {
 pub(crate) struct Cloth<'a> {
     /// Families in the plan.
     pub families: &'a Families,
-    pub weights: &'a Weights,
-    /// Volumes of a sheet's nodes \[L³\].
-    pub volumes: &'a [f64],
+    pub weights: &'a Weights<'a>,
     pub moduli: &'a Moduli,
     pub breakage: &'a Breakage,
     /// What breaks a bond, if anything does.
@@ -46,15 +44,9 @@ impl Cloth<'_> {
     /// # Errors
     /// [`SolidError`] for what breaks it.
     pub fn sheet(&self, at_rest: &[Vec3]) -> Result<(Sheet, Vec<bool>), SolidError> {
-        let mut families = self.families.clone();
-        for node in 0..families.len() {
-            for bond in families.of(node) {
-                families.lengths[bond] = (at_rest[families.others[bond] as usize] - at_rest[node]).norm();
-            }
-        }
-        let mut network = Network::new(&families, self.weights, self.volumes, self.moduli);
+        let mut network = Network::new(self.families, self.weights, Some(at_rest), self.moduli);
         let breaks = self.breakage.breaks();
-        let mut breaking = breaks.then(|| Breaking::new(&network, &families, self.volumes));
+        let mut breaking = breaks.then(|| Breaking::new(&network, self.families));
         let mut cuts = Vec::new();
         if let Some(breaking) = &mut breaking {
             for (number, crack) in self.breakage.cracks.iter().enumerate() {
