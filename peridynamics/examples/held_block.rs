@@ -23,8 +23,8 @@ use sph_core::{Block, Vec3};
 const SPACING: f64 = 0.01;
 /// What pulls \[m/s²\].
 const PULL: f64 = 1e5;
-/// How long \[s\]: a wave of √(E/ρ) takes so long through 22 nodes.
-const DURATION: f64 = 2.2e-4;
+/// How long for each node of a side \[s\]: a wave of √(E/ρ) goes there and back.
+const DURATION: f64 = 2e-5;
 
 /// Nodes of a cube, x counting fastest, and a force on each.
 fn block(side: usize, threads: usize) -> Result<Solid, Box<dyn Error>> {
@@ -45,7 +45,8 @@ fn block(side: usize, threads: usize) -> Result<Solid, Box<dyn Error>> {
             law: Law::BondBased,
             horizon: 3.015,
             volumes: Volumes::Whole,
-            influence: Influence::Constant,
+            // The force of a bond is as its stretch: by extension that is 1/r.
+            influence: Influence::Inverse,
             correction: Correction::None,
         }),
         plastic: None,
@@ -76,9 +77,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let mut solid = block(side, threads)?;
     let mut clock = Clock::start(&mut solid, 1.0, 0.9, 0.0)?;
+    let duration = DURATION * side as f64;
     let mut march = || -> Result<(), Box<dyn Error + Send + Sync>> {
-        while clock.now.time < DURATION * (1.0 - 1e-9) {
-            clock.step(&mut solid, DURATION - clock.now.time, |_| 1.0)?;
+        while clock.now.time < duration * (1.0 - 1e-9) {
+            clock.step(&mut solid, duration - clock.now.time, |_| 1.0)?;
         }
         Ok(())
     };

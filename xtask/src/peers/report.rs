@@ -119,8 +119,11 @@ fn said(of: &Comparison, ours: &Reading, theirs: &Reading) -> [String; 3] {
     let apart = apart(&ours.answers, &theirs.answers).map_or("–".to_owned(), digits);
     let (by_node, unit) = if ours.bytes.is_some() { (true, "bytes a node") } else { (false, "MB") };
     let memory = [ours, theirs].map(|side| if by_node { side.bytes } else { side.memory });
-    let memory = memory.map(|memory| memory.map_or("–".to_owned(), digits)).join("; ");
-    [answers, format!("{apart} ({})", digits(of.share)), format!("{memory} {unit}")]
+    let memory = match memory {
+        [None, None] => String::new(),
+        sides => format!("{} {unit}", sides.map(|side| side.map_or("–".to_owned(), digits)).join("; ")),
+    };
+    [answers, format!("{apart} ({})", digits(of.share)), memory]
 }
 
 /// The first and the last of some answers.
