@@ -1,4 +1,4 @@
-//! The workspace's own commands, as code: `cargo xtask validate · test · bench · ci · tidy · python · package · wheel · deb · new-case · soak · gallery ·
+//! The workspace's own commands, as code: `cargo xtask validate · test · bench · peers · ci · tidy · python · package · wheel · deb · new-case · soak · gallery ·
 //! book · aarch64`.
 
 mod aarch64;
@@ -11,6 +11,7 @@ mod mpi;
 mod new_case;
 mod package;
 mod pages;
+mod peers;
 mod python;
 mod soak;
 mod test_all;
@@ -55,6 +56,12 @@ enum Task {
     /// Finds every `[[bench]]` target of the workspace. Targets named "…instructions…" count instructions under
     /// valgrind, which does not drift with the load of the machine; without valgrind they are skipped, and said so.
     Bench(bench::Options),
+
+    /// This program beside CalculiX, LAMMPS, … on the same problems, in turn: the report is target/peers/report.md
+    ///
+    /// Compares answers first, then times whichever of them are installed; of the others it says how they are installed, and their rows
+    /// read "not installed". Their decks and scripts are in xtask/peers. One thread unless --threads says otherwise.
+    Peers(peers::Options),
 
     /// `test`, then the full validation with its report in target/ci-report
     Ci,
@@ -127,6 +134,7 @@ fn main() -> ExitCode {
         Task::Test { mpi: true } => test_all::of_processes(),
         Task::Test { mpi: false } => test_all::run(test_all::Depth::Quick),
         Task::Bench(options) => bench::run(&options),
+        Task::Peers(options) => peers::run(&options),
         Task::Ci => test_all::run(test_all::Depth::Full),
         Task::Tidy => tidy::run(),
         Task::Python => python::make(),
