@@ -6,9 +6,7 @@
 use explicit_dynamics::{Amplitude, Instant};
 use sph_core::{Carried, Vec3};
 
-use crate::Solid;
 use crate::bonds::network::Row;
-use crate::error::SolidError;
 
 /// A pressure that follows a surface.
 #[derive(Clone, Debug)]
@@ -39,22 +37,5 @@ impl FollowingPressure {
                 out[node as usize] += force * weight;
             }
         }
-    }
-}
-
-impl Solid {
-    /// Lets a pressure follow its surface from now on, in marches: statics have no stiffness of it.
-    ///
-    /// # Errors
-    /// [`SolidError::NoSuchNode`] for a surface that other nodes carry.
-    pub fn follow(&mut self, pressure: FollowingPressure) -> Result<(), SolidError> {
-        let (surface, count) = (&pressure.surface, self.block.len());
-        let mut bearers = (0..surface.vertices.len()).flat_map(|vertex| surface.bearers(vertex));
-        if let Some(&(node, _)) = bearers.find(|(node, _)| *node as usize >= count) {
-            return Err(SolidError::NoSuchNode { what: "a pressure that follows", node, count });
-        }
-        self.external.resize(self.rest.len(), Vec3::zeros());
-        self.following.push(pressure);
-        Ok(())
     }
 }

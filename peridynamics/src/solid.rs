@@ -1,6 +1,6 @@
 //! A body of nodes: what moves, what holds it, and what it resists with.
 
-use explicit_dynamics::{Exert, Instant, Push, Work};
+use explicit_dynamics::{Instant, Push, Work};
 use sph_core::{Block, Vec3};
 
 use crate::bonds::mechanics::{Evaluation, Mechanics};
@@ -11,12 +11,12 @@ use crate::constraint::Constraints;
 use crate::error::SolidError;
 use crate::following::FollowingPressure;
 use crate::fracture::Breakage;
+use crate::heat::Heat;
 use crate::material::Across;
 use crate::mirror::{Borne, Mirror, Passed};
 use crate::parts::{Idealisation, Parts};
 use crate::share::Share;
 use crate::sheets::Plate;
-use crate::warm::Heat;
 use crate::wetted::Surface;
 
 /// Part by which bonds that break together may differ in how far they are taken: those that symmetry makes alike differ by
@@ -361,23 +361,6 @@ impl Solid {
         for (node, force) in &self.exerted {
             self.external[*node as usize] += force;
         }
-    }
-
-    /// Takes away what other bodies exert.
-    pub(crate) fn release_exerted(&mut self) {
-        self.exerted.clear();
-    }
-
-    /// Adds what other bodies exert on some of its nodes, from now on until that is taken away.
-    pub(crate) fn add_exerted(&mut self, nodes: &[u32], forces: &[[f64; 3]]) {
-        self.external.resize(self.rest.len(), Vec3::zeros());
-        self.exerted.extend(nodes.iter().copied().zip(forces.iter().map(|&force| force.into())));
-    }
-
-    /// Lets a function exert forces on all nodes from now on, in marches.
-    pub fn push(&mut self, exert: Exert) {
-        self.external.resize(self.rest.len(), Vec3::zeros());
-        self.push = Some(Box::new(Push::new(self.block.len(), exert)));
     }
 }
 

@@ -2,18 +2,8 @@
 
 use crate::Solid;
 use crate::error::SolidError;
+use crate::heat::Heat;
 use crate::material::Across;
-
-/// By how much a body is warmed.
-#[derive(Clone, Debug)]
-pub(crate) struct Heat {
-    /// αΔT of each node at level one \[–\].
-    strains: Vec<f64>,
-    /// The level that its bonds have.
-    level: f64,
-    /// Norm of what bonds would pull with at level one were all nodes held \[F\].
-    exerts: f64,
-}
 
 impl Solid {
     /// Warms the body: the strain αΔT that each node would have were it free of all, at level one \[–\]. Bonds have those of level zero until

@@ -26,5 +26,6 @@ mod present;
 pub(crate) mod repulsion;
 pub(crate) mod solid_bonds;
 mod tangent;
+mod warm;
 mod work;
 mod yielding;

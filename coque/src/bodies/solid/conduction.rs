@@ -95,7 +95,7 @@ pub(super) fn free_strains(
     for load in &scene.loads {
         let Some(temperature) = &load.temperature else { continue };
         let sum = out.get_or_insert_with(|| vec![0.0; solid.len()]);
-        let nodes = sets.at(&load.at("on"), &load.on)?;
+        let nodes = sets.at(&load.at("on"), load.on)?;
         let Some((own, conduction)) = temperature.conducted.as_ref().zip(conduction) else {
             let change = temperature.change.unwrap_or_default();
             nodes.iter().for_each(|&node| sum[node as usize] += expansion * change);
