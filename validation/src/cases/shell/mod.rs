@@ -9,6 +9,7 @@ mod cantilever_shaken;
 mod clamped_cap;
 mod deck_in_quake;
 mod external_pressure;
+mod framed_plate;
 mod heat;
 mod heavy_end;
 pub mod hemisphere;
@@ -82,6 +83,7 @@ pub fn all() -> Vec<Case> {
             plate_frequencies::case(),
             plate_on_gas::case(),
             stepped_plate::case(),
+            framed_plate::case(),
             initial_stress::case(),
             heat::case(),
             sandwich_panel::case(),
