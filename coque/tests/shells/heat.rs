@@ -256,7 +256,7 @@ fn what_makes_no_sense_is_refused() {
         (
             "plate-solid.toml",
             &[("loads[0]", "{ on = \"z1\", temperature = { change = 1.0 } }")],
-            "a solid is warmed as a whole",
+            "a Galerkin solid is warmed as a whole",
         ),
     ];
     for (name, replaced, says) in cases {
