@@ -74,6 +74,7 @@ fn principal_stresses_of_solids_are_those_of_their_stress() {
     let none = Matrix3::identity();
     let shear = ("loads", "[{ on = \"x1\", traction = { value = [2e-3, 1e-3, -5e-4] } }]");
     held("bonds", &scene(BAR, "{ static = { levels = 1 } }", &[shear]), none);
+    held("bonds-linear", &scene(BAR, "{ linear = {} }", &[shear]), none);
     // Material axes turned by atan(4/3) about z.
     let turned = Matrix3::new(0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0);
     let axes = ("bodies.arc.solid.material.orthotropic.axes", "[[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0]]");

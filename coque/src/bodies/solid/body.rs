@@ -182,8 +182,11 @@ impl<S: DerefMut<Target = Solid> + Send> StaticBody for StaticSolid<S> {
         Dynamics::stable_step(self.solid_mut(), 1.0).map_or(0.0, |step| step.dt)
     }
 
-    /// Reactions of all nodes.
+    /// Reactions of all nodes, then stresses of all nodes.
     fn forces(&self) -> Vec<f64> {
-        (0..self.solid().len()).flat_map(|a| <[f64; 3]>::from(self.solid().reaction(a))).collect()
+        let (solid, nodes) = (self.solid(), 0..self.solid().len());
+        let mut out: Vec<f64> = nodes.clone().flat_map(|a| <[f64; 3]>::from(solid.reaction(a))).collect();
+        out.extend(nodes.flat_map(|a| stress_of(solid, a)));
+        out
     }
 }

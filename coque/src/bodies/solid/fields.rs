@@ -68,7 +68,7 @@ impl Content<'_> {
     /// Reactions; where nothing is in balance and nothing moves there are none.
     fn forces(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
         let solid = self.solid;
-        let linear = self.shown.forces.filter(|row| row.len() == 3 * solid.len());
+        let linear = self.linear().map(|[reactions, _]| reactions);
         let force = |a: usize| match linear {
             Some(row) => Vec3::from_column_slice(&row[3 * a..3 * a + 3]),
             None => solid.reaction(a),
@@ -83,12 +83,25 @@ impl Content<'_> {
         self.vectors(to, "reaction", Quantity::Force, &reaction)
     }
 
-    /// What bonds say: damage and, of states of their own size, energy and stress.
+    /// Reactions and stresses of a linear answer, node by node.
+    fn linear(&self) -> Option<[&[f64]; 2]> {
+        let count = self.solid.len();
+        let (reactions, stresses) =
+            self.shown.forces.filter(|row| row.len() == 9 * count)?.split_at(3 * count);
+        Some([reactions, stresses])
+    }
+
+    /// What bonds say: damage and, of states that have a size, stress; of those of their own size, energy.
     fn bonds(&self, to: &mut dyn FieldWriter) -> io::Result<()> {
         let solid = self.solid;
         self.numbers(to, "damage", Quantity::Ratio, |a| solid.damage(a))?;
-        if matches!(self.shown.state, State::Mode | State::Linear | State::Greatest) {
-            return Ok(());
+        match self.shown.state {
+            State::Mode | State::Greatest => return Ok(()),
+            State::Linear => {
+                let Some([_, stresses]) = self.linear() else { return Ok(()) };
+                return self.stresses(to, stresses.as_chunks().0);
+            }
+            State::Moving | State::Balance => {}
         }
         if solid.plastic_strain(0).is_some() {
             self.numbers(to, "plastic_strain", Quantity::Ratio, |a| {
@@ -100,13 +113,18 @@ impl Content<'_> {
             return Ok(());
         }
         let stresses: Vec<[f64; 6]> = (0..solid.len()).map(|a| stress_of(solid, a)).collect();
+        self.stresses(to, &stresses)
+    }
+
+    /// Stresses of all nodes, and what follows from them, where they are asked for.
+    fn stresses(&self, to: &mut dyn FieldWriter, stresses: &[[f64; 6]]) -> io::Result<()> {
         if self.shown.of_stresses.principal {
-            principal_fields(to, &stresses, &self.shown.units)?;
+            principal_fields(to, stresses, &self.shown.units)?;
         }
         if !self.shown.stresses {
             return Ok(());
         }
-        let all = rows(solid.len(), |a| stresses[a].map(|value| value as f32));
+        let all = rows(stresses.len(), |a| stresses[a].map(|value| value as f32));
         self.put(to, "stress", Quantity::Stress, TENSOR, Values::Single(&all))?;
         self.numbers(to, "von_mises", Quantity::Stress, |a| von_mises_in_space(stresses[a]))
     }
