@@ -1,6 +1,7 @@
 //! Warm bodies: free ones have no stress, held ones that of their closed forms, and forces go with the level as the energy says.
 
 use implicit_statics::{Equilibrium, tangent_error};
+use nalgebra::Rotation3;
 use peridynamics::{Criterion, Fracture, Law, Solid, SolidError, Space, StaticSolid};
 use sph_core::Vec3;
 
@@ -154,6 +155,30 @@ fn forces_go_with_places_and_level_as_the_energy_says() {
         assert!(error < 1e-7, "{name}: {error:.1e}");
         assert!(norm(&off) < 1e-12 * norm(&rate), "{name}: {:.1e}", norm(&off) / norm(&rate));
         assert!((slope / work - 1.0).abs() < 1e-5, "{name}: {}", slope / work - 1.0);
+    }
+}
+
+/// Warm by nodes and far from rest, a body that is turned has turned forces and the same energy.
+#[test]
+fn a_turned_warm_body_has_turned_forces() {
+    for law in LAWS {
+        let mut solid = of_cells(Space::Solid, law, [6; 3]);
+        solid.warm(noise(solid.len(), 0.03)).unwrap();
+        let mut system = StaticSolid::new(solid);
+        deform(&mut system);
+        system.evaluate(0.7);
+        let (solid, turn) = (system.solid_mut(), Rotation3::new(Vec3::new(0.3, -0.8, 0.5)));
+        let (before, energy): (Vec<Vec3>, f64) =
+            ((0..solid.len()).map(|a| solid.internal_force(a)).collect(), solid.internal_energy());
+        let places: Vec<Vec3> = (0..solid.len()).map(|a| turn * solid.position(a)).collect();
+        places.into_iter().enumerate().for_each(|(a, x)| solid.put(a, x));
+        solid.evaluate_internal(true);
+        let off = before.iter().enumerate().map(|(a, f)| (solid.internal_force(a) - turn * f).norm());
+        let off = off.fold(0.0, f64::max) / before.iter().map(|f| f.norm()).fold(0.0, f64::max);
+        let of_energy = solid.internal_energy() / energy - 1.0;
+        println!("{law:?}: {off:.1e}, {of_energy:.1e}");
+        // Rounding.
+        assert!(off < 1e-12 && of_energy.abs() < 1e-12, "{law:?}: {off:.1e}, {of_energy:.1e}");
     }
 }
 
