@@ -10,8 +10,10 @@ use super::march::reference_step;
 use crate::bodies::{DynamicBody, Model, Ready, StaticBody};
 use crate::scene::{Analysis, Explicit, Harmonic, LevelSign, Linear, LinearSolver};
 
-/// How long steps are timed.
-const TIMED: Duration = Duration::from_millis(300);
+/// How long steps are timed: rounds enough for a median, too short to be waited for.
+const TIMED: Duration = Duration::from_millis(24);
+/// Rounds of as many steps each.
+const ROUNDS: u32 = 8;
 /// Part of a period that the shortest hold takes: two looks of twenty a period.
 const SHORTEST_HOLD: f64 = 0.1;
 /// Newton iterations of a level: few where the load path is smooth, the default bound where it is not.
@@ -219,16 +221,25 @@ fn period_of_deflection(body: &mut dyn DynamicBody) -> Option<f64> {
     (work > 0.0).then(|| std::f64::consts::TAU * (inertia / work).sqrt())
 }
 
-/// Seconds a step, without load: nothing moves and the work is the same.
+/// Seconds a step, without load: nothing moves and the work is the same. The median of some rounds, of a step each where steps are long.
 fn time_steps(body: &mut dyn DynamicBody, dt: f64) -> f64 {
     let at = |time| Moment { time, level: 0.0 };
     let step = Step { from: at(0.0), to: at(dt), kick: dt, damping: 0.0 };
-    body.advance(&step);
+    let mut timed = |count: u32| {
+        let begun = Instant::now();
+        for _ in 0..count {
+            body.advance(&step);
+        }
+        begun.elapsed() / count
+    };
+    // The first step finds nothing in the caches; the second tells how many make a round.
+    timed(1);
     let begun = Instant::now();
-    let mut count = 0;
+    let count = (TIMED / ROUNDS).div_duration_f64(timed(1).max(Duration::from_nanos(100))) as u32;
+    let mut rounds = vec![timed(count.max(1))];
     while begun.elapsed() < TIMED {
-        body.advance(&step);
-        count += 1;
+        rounds.push(timed(count.max(1)));
     }
-    begun.elapsed().as_secs_f64() / f64::from(count)
+    rounds.sort_unstable();
+    rounds[rounds.len() / 2].as_secs_f64()
 }
