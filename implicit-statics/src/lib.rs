@@ -291,6 +291,7 @@ mod options;
 mod ordering;
 mod path;
 mod pattern;
+mod places;
 mod postorder;
 mod rank_one;
 mod relaxation;

@@ -12,6 +12,7 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::linalg::{SupernodalThreshold, amd};
 
 use crate::ordering::{dissection, front_multiplications, sweep};
+use crate::places::Places;
 use crate::postorder::postordered;
 
 /// Unknowns up to which every order is tried: beyond, dissection is as good as minimum degree and found in less time, and a sweep
@@ -19,29 +20,49 @@ use crate::postorder::postordered;
 const MANY: usize = 20_000;
 
 /// Analyses a lower triangle in the order that multiplies least: of a sweep, of nested dissection and, for few unknowns, of
-/// approximate minimum degree where places are known, else by the last.
+/// approximate minimum degree where places are known, else by the last. Orders are compared place by place, one is analysed.
 pub(crate) fn analyse(
     matrix: &SymbolicSparseColMat<usize>,
-    places: Option<&[[f64; 3]]>,
+    coordinates: Option<&[[f64; 3]]>,
 ) -> SymbolicCholesky<usize> {
-    let Some(places) = places else {
+    let Some(coordinates) = coordinates else {
         return in_order(matrix, &minimum_degree(matrix));
     };
-    let better = |one: SymbolicCholesky<usize>, other: SymbolicCholesky<usize>| {
-        if multiplications(&other) < multiplications(&one) { other } else { one }
-    };
-    let mut best = in_order(matrix, &dissection(places, matrix.col_ptr(), matrix.row_idx()));
-    // A wide body swept has a wide front, and to find the supernodes of that costs a fifth of a linear answer.
-    let few = places.len() <= MANY;
+    let places = Places::of(coordinates, matrix.col_ptr(), matrix.row_idx());
+    in_order(matrix, &places.spread(&best_order(&places, coordinates.len() <= MANY)))
+}
+
+/// Of the orders of places the one that multiplies least.
+fn best_order(places: &Places, few: bool) -> Vec<usize> {
+    let count = places.count();
+    let (pointers, rows) = (places.pointers.clone(), places.rows.clone());
+    let graph = SymbolicSparseColMat::new_checked(count, count, pointers, None, rows);
+    let cost = |order: &[usize]| multiplications_at(places, &in_order(&graph, order));
+    let best = dissection(places);
     let along = sweep(places);
-    let front = || front_multiplications(&along, matrix.col_ptr(), matrix.row_idx());
-    if few || front() < multiplications(&best) {
-        best = better(best, in_order(matrix, &along));
+    if !few {
+        // A wide body swept has a wide front.
+        return if front_multiplications(&along, places) < cost(&best) { along } else { best };
     }
-    if few {
-        best = better(best, in_order(matrix, &minimum_degree(matrix)));
-    }
-    best
+    let least = |(best, least): (Vec<usize>, f64), other: Vec<usize>| {
+        let more = cost(&other);
+        if more < least { (other, more) } else { (best, least) }
+    };
+    let first = cost(&best);
+    [along, minimum_degree(&graph)].into_iter().fold((best, first), least).0
+}
+
+/// Multiplications of the factor of the unknowns at places, from the supernodes of their graph.
+fn multiplications_at(places: &Places, symbolic: &SymbolicCholesky<usize>) -> f64 {
+    let supernodes = supernodes(symbolic);
+    let place_of = symbolic.perm().map(|perm| perm.arrays().0);
+    let weight = |k: usize| places.weight(place_of.map_or(k, |of| of[k]));
+    let of = |s: usize| {
+        let width: usize = (supernodes.supernode_begin()[s]..supernodes.supernode_end()[s]).map(weight).sum();
+        let below = supernodes.supernode(s).pattern().iter().map(|&row| weight(row)).sum();
+        multiplications_of(width, below)
+    };
+    (0..supernodes.n_supernodes()).map(of).sum()
 }
 
 /// Multiplications of the factor: each column updates half a square as large as what is below it.
