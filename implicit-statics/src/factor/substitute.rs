@@ -202,23 +202,43 @@ impl<const R: usize> Sweep for Back<'_, R> {
 /// Scalar products of some columns with some vectors.
 #[inline(always)]
 fn products<const K: usize, const R: usize>(columns: [&[f64]; K], x: &[[f64; R]]) -> [[f64; R]; K] {
-    let columns = columns.map(|column| &column[..x.len()]);
-    let mut sums = [[[0.0; SUMS]; R]; K];
+    let mut out = [[0.0; R]; K];
+    if R == 1 {
+        partial(columns, x, &mut out);
+    } else {
+        // Partial sums of one column are as many as registers hold.
+        for k in 0..K {
+            partial([columns[k]], x, &mut out[k..][..1]);
+        }
+    }
+    out
+}
+
+/// The same, in partial sums. Loops, since closures would not be compiled for the lanes.
+#[inline(always)]
+fn partial<const K: usize, const R: usize>(columns: [&[f64]; K], x: &[[f64; R]], out: &mut [[f64; R]]) {
     let (blocks, rest) = x.as_chunks::<SUMS>();
+    let mut sums = [[[0.0; R]; SUMS]; K];
+    let l = columns.map(|column| column[..x.len()].as_chunks::<SUMS>());
     for (b, x) in blocks.iter().enumerate() {
         for k in 0..K {
-            let Some(l) = columns[k][b * SUMS..].first_chunk::<SUMS>() else { break };
-            for r in 0..R {
-                (0..SUMS).for_each(|m| sums[k][r][m] += l[m] * x[m][r]);
+            let l = &l[k].0[b];
+            for m in 0..SUMS {
+                for r in 0..R {
+                    sums[k][m][r] += l[m] * x[m][r];
+                }
             }
         }
     }
-    let first = blocks.len() * SUMS;
-    std::array::from_fn(|k| {
-        std::array::from_fn(|r| {
-            let s = &sums[k][r];
-            let whole = ((s[0] + s[4]) + (s[1] + s[5])) + ((s[2] + s[6]) + (s[3] + s[7]));
-            rest.iter().zip(&columns[k][first..]).fold(whole, |sum, (x, l)| sum + l * x[r])
-        })
-    })
+    for k in 0..K {
+        let s = &sums[k];
+        for r in 0..R {
+            let mut sum =
+                ((s[0][r] + s[4][r]) + (s[1][r] + s[5][r])) + ((s[2][r] + s[6][r]) + (s[3][r] + s[7][r]));
+            for (x, l) in rest.iter().zip(l[k].1) {
+                sum += l * x[r];
+            }
+            out[k][r] = sum;
+        }
+    }
 }
