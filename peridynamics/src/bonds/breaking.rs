@@ -285,6 +285,9 @@ impl Breaking {
 
     /// `1 − Σ V̄ of whole bonds / Σ V̄ of all` of a node: zero whole, one free.
     pub fn damage(&self, network: &Network, node: usize) -> f64 {
+        if self.bonds.broken(network.packs_of(node)).next().is_none() {
+            return 0.0;
+        }
         let (mut whole, mut all) = (0.0, 0.0);
         for (lane, bond) in network.bonds_of(node).filter(|(lane, _)| self.bonds.is_bond(*lane)) {
             let volume = self.share(bond.length) * self.volumes[bond.other];
