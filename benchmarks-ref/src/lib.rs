@@ -17,6 +17,7 @@
 //! - [`fluid_structure`]: a gate, plates, a bar, a wedge, in experiments and published simulations;
 //! - [`fluid_structure_forms`]: strips and rings, dry and in a fluid, in closed form;
 //! - [`floating_box`]: a box that swings in the water of a tank, by linear potential flow;
+//! - [`floating_cylinder`]: a cylinder that swings in deep water and in a tank, by Ursell's flow;
 //! - [`box_in_waves`]: a box that floats in waves or is let go, by linear potential flow without ends;
 //! - [`hinged_box`]: a box under water that swings about a hinge, by potential flow;
 //! - [`wedge_entry`]: a wedge that enters water at constant speed, by similarity flow;
@@ -124,6 +125,7 @@
 //! | a wedge that enters water: its surface closes and no water is lost; Wagner's force of low ones | `the_surface_closes_and_no_water_is_lost`, `low_wedges_go_to_wagners_force_and_half_of_it_as_added_mass`, `a_flat_plate_has_its_added_mass` (src/wedge_entry.rs) |
 //! | a wedge on a spring: a swing without water, momentum without a spring | `without_water_it_swings`, `without_a_spring_its_momentum_goes_to_the_water`, `water_that_does_not_pull_leaves_it_to_its_spring` (src/wedge_on_spring.rs) |
 //! | a floating box: half of the added mass of a square, order of its corners, energy | `a_fast_box_has_half_of_the_added_mass_of_a_square`, `times_converge_with_the_order_of_the_corner`, `energy_is_kept` (src/floating_box.rs) |
+//! | a floating cylinder: published values of Ei, energy, slow and fast limits, Vugts' measured points, start and end of its motion; the tank is the same where it is wide and deep | `the_exponential_integral_has_its_published_values`, `waves_carry_what_damping_takes`, `slow_it_is_a_source_and_fast_half_of_a_whole_cylinder`, `it_is_what_vugts_measured`, `it_begins_at_rest_and_ends_without_swinging`, `in_a_wide_and_deep_tank_it_moves_as_in_water_without_ends`, `pieces_converge` (src/floating_cylinder/mod.rs) |
 //! | a box in waves: Haskind's relation, energy, reciprocity, long waves, convergence, finite volumes | `waves_carry_what_damping_takes_and_push_by_haskinds_relation`, `masses_are_reciprocal_and_moments_go_with_the_centre`, `in_long_waves_it_goes_with_the_water`, `terms_converge`, `it_heaves_as_by_finite_volumes` (src/box_in_waves/mod.rs) |
 //! | an added mass is the energy of its fluid | `the_added_mass_is_the_energy_of_the_fluid` |
 //! | plates buckle and bend by their closed forms | `the_plate_buckles_by_its_closed_forms`, `thin_square_plates_are_those_of_the_tables` |
@@ -143,6 +145,7 @@ pub mod external_pressure;
 pub mod fe_shell;
 pub mod fe_solid;
 pub mod floating_box;
+pub mod floating_cylinder;
 pub mod fluid_structure;
 pub mod fluid_structure_forms;
 pub mod fluids;

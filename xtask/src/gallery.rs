@@ -18,13 +18,14 @@ pub struct Options {
 }
 
 /// Scenes in the plane, seen straight.
-const PLANE: [&str; 15] = [
+const PLANE: [&str; 16] = [
     "baffle",
     "box-in-waves",
     "channel-with-inflow",
     "crack-branching",
     "dam-break",
     "floating-box",
+    "floating-cylinder",
     "flow-between-plates",
     "gate",
     "gate-bonds",

@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-const EXAMPLES: [Example; 124] = [
+const EXAMPLES: [Example; 125] = [
     Example::new("arch-onto-flat", 0.2, include_str!("../../../scenes/arch-onto-flat.toml")),
     Example::new("baffle", 100.0, include_str!("../../../scenes/baffle.toml")),
     Example::new("ball-on-incline", 0.5, include_str!("../../../scenes/ball-on-incline.toml")),
@@ -69,6 +69,7 @@ const EXAMPLES: [Example; 124] = [
     Example::new("flow-between-plates", 0.3, include_str!("../../../scenes/flow-between-plates.toml")),
     Example::new("open-channel", 35.0, include_str!("../../../scenes/open-channel.toml")),
     Example::new("floating-box", 2.0, include_str!("../../../scenes/floating-box.toml")),
+    Example::new("floating-cylinder", 27.0, include_str!("../../../scenes/meshes/floating-cylinder.toml")),
     Example::new("wedge-entry", 15.0, include_str!("../../../scenes/meshes/wedge-entry.toml")),
     Example::new("fold-pressed", 3.0, include_str!("../../../scenes/fold-pressed.toml")),
     Example::new("fragments-on-shell", 4.0, include_str!("../../../scenes/fragments-on-shell.toml")),
@@ -175,7 +176,7 @@ const EXAMPLES: [Example; 124] = [
 ];
 
 /// What is written beside an example on a mesh: the name of a file, and what it holds.
-const FILES: [(&str, &str, &str); 18] = [
+const FILES: [(&str, &str, &str); 19] = [
     (
         "balloon-inflating",
         "balloon-inflating.inp",
@@ -206,6 +207,11 @@ const FILES: [(&str, &str, &str); 18] = [
         "stiffened-panel-gmsh",
         "stiffened-panel-gmsh.msh",
         include_str!("../../../scenes/meshes/stiffened-panel-gmsh.msh"),
+    ),
+    (
+        "floating-cylinder",
+        "floating-cylinder.obj",
+        include_str!("../../../scenes/meshes/floating-cylinder.obj"),
     ),
     ("wedge-entry", "wedge-entry.obj", include_str!("../../../scenes/meshes/wedge-entry.obj")),
     ("t-frame", "t-frame.msh", include_str!("../../../scenes/meshes/t-frame.msh")),

@@ -6,6 +6,7 @@ mod box_in_waves;
 mod clamped_strip;
 pub mod column;
 mod floating_box;
+mod floating_cylinder;
 mod gate;
 mod gate_alone;
 mod irregular_waves;
@@ -47,6 +48,7 @@ pub fn all() -> Vec<Case> {
         sprung_floor::case(),
         plate_in_water::case(),
         floating_box::case(),
+        floating_cylinder::case(),
         paddle_on_hinge::case(),
         wedge_entry::case(),
         wedge_on_spring::case(),
