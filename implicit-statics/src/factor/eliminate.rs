@@ -19,7 +19,7 @@ use super::walk::upward;
 /// Columns that are eliminated one by one; more are halved.
 const PANEL: usize = 16;
 /// Columns of a product, and the number of tiles of a large one: each packs its factors anew, and of its square on the diagonal the
-/// upper half is made for nothing, a twelfth of an update in twelve. With 96 at any size large solids take longer (docs/performance.md).
+/// upper half is made for nothing, a twelfth of an update in twelve.
 const TILE: usize = 96;
 const TILES: usize = 12;
 /// Multiplications of an update from which its tiles are shared among threads.

@@ -19,7 +19,11 @@ const STEPS: u32 = 4;
 
 /// All comparisons with LAMMPS.
 pub fn comparisons() -> Vec<Comparison> {
-    vec![block("block of pairwise bonds, 22³ nodes", 22), block("block of pairwise bonds, 36³ nodes", 36)]
+    vec![
+        block("block of pairwise bonds, 22³ nodes", 22),
+        block("block of pairwise bonds, 36³ nodes", 36),
+        block("block of pairwise bonds, 46³ nodes", 46),
+    ]
 }
 
 fn block(problem: &'static str, side: u32) -> Comparison {
