@@ -27,11 +27,11 @@ pub fn on_mesh(text: &str, mesh: &Mesh, sets: &[Set<'_>], set: &[(&str, &str)]) 
         set.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
     replaced.push(("geometry.mesh.file".into(), format!("{:?}", file.display().to_string())));
     let built = Scene::with_overrides(text, "scene on a mesh", &replaced).and_then(|scene| scene.build(1));
-    // Read by now; a file that cannot be removed is one of the system's to remove.
-    let _ = fs::remove_file(&file);
     let how = Rendering { width: 110, colour: false };
-    let model = built.map_err(|error| render(&error, how))?;
-    Ok(model.run(&mut Silent).into())
+    let found = built.map(|model| model.run(&mut Silent).into()).map_err(|error| render(&error, how));
+    // Each load case has read it by now; a file that cannot be removed is one of the system's to remove.
+    let _ = fs::remove_file(&file);
+    found
 }
 
 /// The mesh as Abaqus writes it.
