@@ -1,6 +1,6 @@
 //! The state from which a shell starts: initial stresses, the deflection of its imperfection, its velocity.
 
-use nalgebra::Rotation3;
+use nalgebra::{Rotation3, Unit};
 use sph_core::{Cloud, Vec3};
 use sph_shell::{Shell, StaticShell};
 
@@ -67,8 +67,7 @@ impl Builder<'_> {
         let found = deflection(self.scene, &imperfection, &mut system, read, |v| self.turn_back(v))?;
         for (a, (u, turn)) in found.displacements.iter().zip(&found.turns).enumerate() {
             let n = cloud.frames[a].n;
-            // Along the arc to the director, which turns about n × δ.
-            let rotation = Rotation3::rotation_between(&n, &(n + turn)).unwrap_or_else(Rotation3::identity);
+            let rotation = along_the_arc(&n, &(n + turn));
             cloud.positions[a] += u;
             cloud.frames[a] = cloud.frames[a].rotated(&rotation);
             let edge: Vec3 = rotation * cloud.edge_normals[a];
@@ -92,4 +91,11 @@ impl Builder<'_> {
         }
         Ok(())
     }
+}
+
+/// The turn of a unit normal along the arc to a direction, by sine and cosine: the cosine alone, which rounding takes beyond one, says nothing of small angles.
+fn along_the_arc(n: &Vec3, to: &Vec3) -> Rotation3<f64> {
+    let axis = n.cross(to);
+    let angle = libm::atan2(axis.norm(), n.dot(to));
+    Unit::try_new(axis, 0.0).map_or_else(Rotation3::identity, |axis| Rotation3::from_axis_angle(&axis, angle))
 }
