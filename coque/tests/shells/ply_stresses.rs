@@ -97,8 +97,8 @@ fn the_reserve_factor_is_one_on_the_load() {
         let reserve = last(&text(20.0, criterion), "reserve-factor");
         let there = text(20.0 * reserve, criterion);
         for name in ["reserve-factor", "failure-index"] {
-            // The answer is linear in the load: rounding, 3e-14.
-            assert!((last(&there, name) - 1.0).abs() < 1e-13, "{criterion} {name}: {}", last(&there, name));
+            // The answer is linear in the load: rounding of two solves, 1.2e-13.
+            assert!((last(&there, name) - 1.0).abs() < 4e-13, "{criterion} {name}: {}", last(&there, name));
         }
     }
 }

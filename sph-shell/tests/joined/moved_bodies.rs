@@ -149,8 +149,8 @@ fn a_strip_with_a_rigid_end_is_twisted_as_st_venant_says() {
         let error = (long - short) * rigidity / 4.0 - 1.0;
         let each = soft(4.0, across, false) / short - 1.0;
         println!("{across} cells across: {error:.2e}, against single particles {each:.1e}");
-        // Of the lattice, which does not resolve the layer of width t at the free edges; round-off.
-        assert!(error.abs() < bound && each.abs() < 1e-13, "{error} {each}");
+        // Of the lattice, which does not resolve the layer of width t at the free edges; rounding of two solves, 1.1e-13.
+        assert!(error.abs() < bound && each.abs() < 4e-13, "{error} {each}");
     }
 }
 
