@@ -188,8 +188,9 @@ fn one_warm_body_of_two_pushes_as_alone() {
         ));
         assert_eq!(found.ended, Ended::Done, "{}", found.summary.ended);
         println!("{:.1e}, {:.1e}", last(&found, "wall") / alone - 1.0, last(&found, "still"));
+        // The same bits were measured; in another order of elimination rounding.
         assert!(
-            (last(&found, "wall") / alone - 1.0).abs() < 1e-9 && last(&found, "still").abs() < 1e-9 * FORCE
+            (last(&found, "wall") / alone - 1.0).abs() < 1e-12 && last(&found, "still").abs() < 1e-12 * FORCE
         );
     }
 }

@@ -65,15 +65,15 @@ pub fn case() -> Case {
     }
 }
 
-/// Times and heights over the place at rest, over the one at the start.
-fn heights(run: &Run) -> Result<Vec<[f64; 2]>, JudgeError> {
+/// Times and heights over the place at rest, over the one at the start, of a body that is let go so far above that place.
+pub(super) fn heights(run: &Run, raised: f64) -> Result<Vec<[f64; 2]>, JudgeError> {
     let rows = run.column("time")?.into_iter().zip(run.column("y")?);
-    Ok(rows.map(|(time, y)| [time, 1.0 + y / RAISED]).collect())
+    Ok(rows.map(|(time, y)| [time, 1.0 + y / raised]).collect())
 }
 
 fn swings(run: &Run) -> Result<Vec<Metric>, JudgeError> {
     let exact = FLOAT.half_swing(4, STEP.0, STEP.1).unwrap_or([f64::NAN; 2]);
-    let found = match crossings(&heights(run)?)[..] {
+    let found = match crossings(&heights(run, RAISED)?)[..] {
         [first, second, ..] => Some([first, second - first]),
         _ => None,
     };
@@ -119,7 +119,7 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
         Line::Dashed,
     )];
     for (run, colour) in swinging.iter().zip([BLUE, ORANGE]) {
-        series.push(Series::line(&run.variant.grid, points(heights(run)?), colour, Line::Solid));
+        series.push(Series::line(&run.variant.grid, points(heights(run, RAISED)?), colour, Line::Solid));
     }
     Ok(vec![Figure::Chart(Chart {
         title: first.variant.method.clone(),

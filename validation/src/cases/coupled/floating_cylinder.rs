@@ -12,6 +12,7 @@ use std::sync::OnceLock;
 use benchmarks_ref::floating_box::crossings;
 use benchmarks_ref::floating_cylinder::{Tank, released};
 
+use super::floating_box::heights;
 use crate::figures::{Axis, BLACK, BLUE, Chart, Figure, GREY, Line, ORANGE, Series};
 use crate::judge::{Case, Headline, Run, Runs, Variant};
 use crate::methods::RIGID;
@@ -66,13 +67,7 @@ pub fn case() -> Case {
     }
 }
 
-/// Times \[s\] and heights over the place at rest, over the one at the start.
-fn heights(run: &Run) -> Result<Vec<[f64; 2]>, JudgeError> {
-    let rows = run.column("time")?.into_iter().zip(run.column("y")?);
-    Ok(rows.map(|(time, y)| [time, 1.0 + y / RAISED]).collect())
-}
-
-/// The same in this tank, and in deep water without ends.
+/// Times \[s\] and heights over the one at the start in this tank, and in deep water without ends.
 fn theory() -> &'static [Vec<[f64; 2]>; 2] {
     static ROWS: OnceLock<[Vec<[f64; 2]>; 2]> = OnceLock::new();
     ROWS.get_or_init(|| {
@@ -99,7 +94,7 @@ fn swings_of(rows: &[[f64; 2]]) -> Option<[f64; 4]> {
 }
 
 fn swings(run: &Run) -> Result<Vec<Metric>, JudgeError> {
-    let found = swings_of(&heights(run)?);
+    let found = swings_of(&heights(run, RAISED)?);
     let [tank, deep] = theory().each_ref().map(|rows| swings_of(rows).unwrap_or([f64::NAN; 4]));
     let part = |name: &str, k: usize, unit: &str, of: [f64; 4], part: f64, reason: &str| {
         Metric::compared(name, found.map(|found| found[k]), unit, of[k]).within(part * of[k], reason)
@@ -134,7 +129,7 @@ fn figures(runs: &Runs) -> Result<Vec<Figure>, JudgeError> {
         Series::line("the same in the tank", points(tank), BLACK, Line::Dashed),
     ];
     for (run, colour) in runs.iter().zip([BLUE, ORANGE]) {
-        series.push(Series::line(&run.variant.grid, points(heights(run)?), colour, Line::Solid));
+        series.push(Series::line(&run.variant.grid, points(heights(run, RAISED)?), colour, Line::Solid));
     }
     Ok(vec![Figure::Chart(Chart {
         title: first.variant.method.clone(),
