@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
-use lanes::{Lanes, Sweep, widest};
+use lanes::{LANES, Lanes, Sweep, widest};
 
 use super::room::Room;
 use super::tree::{Tree, Work};
@@ -33,60 +33,62 @@ pub(super) fn eliminate((tree, sizes): (&Tree, &Room), matrix: &[f64], values: &
         for &(entry, place) in tree.entries(s) {
             own[place as usize] = matrix[entry as usize];
         }
-        take_columns(tree, s, left, own);
-        factor_columns(own, width + below, 0..width, scratch);
+        let height = width + below;
+        widest(Take { tree, s, left, columns: 0..width, to: own });
+        factor_columns(own, height, 0..width, scratch);
         leave(own, width, scratch, update);
-        take_rest(tree, s, left, update);
+        widest(Take { tree, s, left, columns: width..height, to: update });
         debug_assert_eq!(update.len(), below * below);
     });
 }
 
-/// Adds what the children left to the columns of a supernode.
-fn take_columns(tree: &Tree, s: usize, left: &[f64], own: &mut [f64]) {
-    let (width, height) = (tree.width(s), tree.height(s));
-    each_column(tree, s, left, |child, column, to, from| {
-        if to < width {
-            add_runs(tree, child, column, 0, from, &mut own[to * height..(to + 1) * height]);
-        }
-    });
+/// Adds what the children of a supernode left to some columns of its front, which are as high as their number and what is below them.
+/// Loops, since closures would not be compiled for the lanes.
+struct Take<'a> {
+    tree: &'a Tree,
+    s: usize,
+    left: &'a [f64],
+    columns: Range<usize>,
+    to: &'a mut [f64],
 }
 
-/// Adds what they left beyond them to what the supernode leaves.
-fn take_rest(tree: &Tree, s: usize, left: &[f64], update: &mut [f64]) {
-    let (width, below) = (tree.width(s), tree.rows(s).len());
-    each_column(tree, s, left, |child, column, to, from| {
-        if let Some(to) = to.checked_sub(width) {
-            add_runs(tree, child, column, width, from, &mut update[to * below..(to + 1) * below]);
-        }
-    });
-}
+impl Sweep for Take<'_> {
+    type Output = ();
 
-/// Calls with each column that the children of a supernode left: the child, the column, its place in the front, its numbers.
-fn each_column(tree: &Tree, s: usize, mut left: &[f64], mut visit: impl FnMut(usize, usize, usize, &[f64])) {
-    for &child in tree.children(s) {
-        let child = child as usize;
-        let rows = tree.rows(child).len();
-        let (own, rest) = left.split_at(rows * rows);
-        for run in tree.runs(child) {
-            for k in 0..run.rows {
-                let column = run.from + k;
-                visit(child, column, run.to + k, &own[column * rows..(column + 1) * rows]);
+    #[inline(always)]
+    fn run<L: Lanes>(self, _: L) {
+        let Self { tree, s, mut left, columns, to } = self;
+        let first = columns.start;
+        let height = if columns.is_empty() { 0 } else { to.len() / columns.len() };
+        for &child in tree.children(s) {
+            let child = child as usize;
+            let rows = tree.rows(child).len();
+            let (own, rest) = left.split_at(rows * rows);
+            let runs = tree.runs(child);
+            for (r, run) in runs.iter().enumerate() {
+                for k in 0..run.rows {
+                    if !columns.contains(&(run.to + k)) {
+                        continue;
+                    }
+                    let column = &own[(run.from + k) * rows..(run.from + k + 1) * rows];
+                    let sums = &mut to[(run.to + k - first) * height..(run.to + k + 1 - first) * height];
+                    // From the diagonal on.
+                    add(&column[run.from + k..run.from + run.rows], &mut sums[run.to + k - first..]);
+                    for run in &runs[r + 1..] {
+                        add(&column[run.from..run.from + run.rows], &mut sums[run.to - first..]);
+                    }
+                }
             }
+            left = rest;
         }
-        left = rest;
     }
 }
 
-/// Adds a column from its diagonal on to one whose first row is so many rows into the front.
-fn add_runs(tree: &Tree, child: usize, column: usize, first: usize, from: &[f64], to: &mut [f64]) {
-    for run in tree.runs(child).iter().rev() {
-        if run.from + run.rows <= column {
-            break;
-        }
-        let skipped = column.saturating_sub(run.from);
-        let from = &from[run.from + skipped..run.from + run.rows];
-        let to = &mut to[run.to + skipped - first..][..from.len()];
-        to.iter_mut().zip(from).for_each(|(sum, part)| *sum += part);
+/// Adds some numbers to the first of others.
+#[inline(always)]
+fn add(parts: &[f64], sums: &mut [f64]) {
+    for (sum, part) in sums.iter_mut().zip(parts) {
+        *sum += part;
     }
 }
 
@@ -131,11 +133,59 @@ fn weighted_rows<'a>(
 ) -> MatRef<'a, f64> {
     let (width, count) = (done.len() / height, rows.len());
     let weighted = &mut scratch[..width * count];
-    for (p, column) in done.chunks_exact(height).enumerate() {
-        let pivot = column[first + p];
-        column[rows.clone()].iter().enumerate().for_each(|(k, l)| weighted[k * width + p] = pivot * l);
-    }
+    widest(Weighted { done, height, first, rows, weighted: &mut *weighted });
     MatRef::from_column_major_slice(weighted, width, count)
+}
+
+/// Transposes and weights, four columns at a time.
+struct Weighted<'a> {
+    done: &'a [f64],
+    height: usize,
+    first: usize,
+    rows: Range<usize>,
+    weighted: &'a mut [f64],
+}
+
+impl Sweep for Weighted<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) {
+        let Self { done, height, first, rows, weighted } = self;
+        let width = done.len() / height;
+        let fours = width / LANES * LANES;
+        for p in (0..fours).step_by(LANES) {
+            let column = |k: usize| &done[(p + k) * height..(p + k + 1) * height];
+            let l: [&[f64]; LANES] = std::array::from_fn(column);
+            let mut pivots = [lanes.splat(0.0); LANES];
+            for k in 0..LANES {
+                pivots[k] = lanes.splat(l[k][first + p + k]);
+            }
+            let l = l.map(|column| column[rows.clone()].as_chunks::<LANES>());
+            for b in 0..l[0].0.len() {
+                let mut out = [lanes.splat(0.0); LANES];
+                for k in 0..LANES {
+                    out[k] = lanes.mul(pivots[k], lanes.load(&l[k].0[b]));
+                }
+                for (i, row) in lanes.rows(out).into_iter().enumerate() {
+                    weighted[(b * LANES + i) * width + p..][..LANES].copy_from_slice(&row);
+                }
+            }
+            for i in 0..l[0].1.len() {
+                for k in 0..LANES {
+                    weighted[(rows.len() / LANES * LANES + i) * width + p + k] =
+                        done[(p + k) * height + first + p + k] * l[k].1[i];
+                }
+            }
+        }
+        for p in fours..width {
+            let column = &done[p * height..(p + 1) * height];
+            let pivot = column[first + p];
+            for (k, l) in column[rows.clone()].iter().enumerate() {
+                weighted[k * width + p] = pivot * l;
+            }
+        }
+    }
 }
 
 /// Columns of a front that have what came before them: each gets those of the panel before it, four at a time, and is divided by its
@@ -169,10 +219,14 @@ impl Sweep for Panel<'_> {
             }
             for p in p..j {
                 let factor = column(p)[0] * pivot(p);
-                now.iter_mut().zip(column(p)).for_each(|(sum, l)| *sum -= factor * l);
+                for (sum, l) in now.iter_mut().zip(column(p)) {
+                    *sum -= factor * l;
+                }
             }
             let inverse = 1.0 / now[0];
-            now[1..].iter_mut().for_each(|l| *l *= inverse);
+            for l in &mut now[1..] {
+                *l *= inverse;
+            }
         }
     }
 }

@@ -44,7 +44,9 @@ pub(super) fn upward<T: Copy + Send>(
         let update = tree.update(s, work);
         let (new, scratch) = free.split_at_mut(update);
         visit(s, mine, &before[start..], new, scratch);
-        room.copy_within(held..held + update, start);
+        if start != held {
+            room.copy_within(held..held + update, start);
+        }
         held = start + update;
         (own, s) = (rest, s + 1);
     }
