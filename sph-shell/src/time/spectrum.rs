@@ -18,8 +18,12 @@ impl LinearisedDynamics for Shell {
     }
 
     fn apply(&mut self, v: &[f64], out: &mut [f64]) {
+        let threads = self.evaluation.threads;
         let spacing = self.reference.cloud.spacing();
-        let direction: Vec<Row> = (0..self.len()).map(|a| self.unscaled(a, v)).collect();
+        let mut direction = vec![[0.0; 6]; self.len()];
+        parallel::chunks(threads, &mut direction[..], |first, rows: &mut [Row]| {
+            rows.iter_mut().enumerate().for_each(|(i, row)| *row = self.unscaled(first + i, v));
+        });
         let size = |a: usize| {
             let row = &direction[a];
             let x = row[..3].iter().fold(0.0_f64, |m, u| m.max(u.abs())) / spacing;
@@ -36,54 +40,47 @@ impl LinearisedDynamics for Shell {
         // The step has to bear unloading, which is the stiffest answer of a section with memory.
         self.points.hold_histories(true);
         let home = self.motion.state.clone();
-        let mut forces = [vec![[0.0; 6]; home.len()], vec![[0.0; 6]; home.len()]];
+        let mut change = vec![[0.0; 6]; home.len()];
         let mut of_bodies = Vec::new();
-        for (sign, force) in [1.0, -1.0].into_iter().zip(&mut forces) {
-            for (row, (old, u)) in self.motion.state.iter_mut().zip(home.iter().zip(&direction)) {
-                for k in 0..6 {
-                    row[k] = old[k] + sign * eps * u[k];
-                }
-                let scale = 1.0 / (row[3] * row[3] + row[4] * row[4] + row[5] * row[5]).sqrt();
-                for value in &mut row[3..] {
-                    *value *= scale;
-                }
-            }
+        for sign in [1.0, -1.0] {
+            parallel::chunks(threads, &mut self.motion.state[..], |first, rows: &mut [Row]| {
+                let moved = home[first..].iter().zip(&direction[first..]);
+                rows.iter_mut().zip(moved).for_each(|(row, (old, u))| *row = perturbed(old, u, sign * eps));
+            });
             self.evaluate_internal(false);
-            if !self.loading.spring_forces.is_empty() {
-                let body = self.dependents.loaded(&self.reference, &self.motion.state);
-                self.loading.add_springs(&body, force);
-                self.share.exchange_bound(force);
-            }
-            if self.loading.touches() {
-                self.loading.add_contact_bounds(&self.motion.state, &home, force);
-            }
-            let encloses = self.press_of_enclosed(&home, force);
-            if !self.loading.spring_forces.is_empty() || self.loading.touches() || encloses {
-                self.dependents.ties.condense(&self.motion.state, force, |_, _| ());
-            }
-            for (a, row) in force.iter_mut().enumerate() {
-                let internal = self.internal_force(a);
-                *row = std::array::from_fn(|k| internal[k] - row[k]);
-            }
+            let load = self.load_bound(&home);
+            let this: &Self = self;
+            parallel::chunks(threads, &mut change[..], |first, rows: &mut [Row]| {
+                for (a, row) in (first..).zip(rows) {
+                    let mut force = this.internal_force(a);
+                    if let Some(load) = &load {
+                        (0..6).for_each(|k| force[k] -= load[a][k]);
+                    }
+                    *row = match sign > 0.0 {
+                        true => force,
+                        false => std::array::from_fn(|k| (row[k] - force[k]) / (2.0 * eps)),
+                    };
+                }
+            });
             let (groups, springs) = (self.dependents.junctions.groups.iter(), self.body_springs());
             of_bodies.push(groups.map(|group| springs.row(group.first())).collect::<Vec<_>>());
         }
         self.motion.state = home;
         self.points.hold_histories(false);
-        let [plus, minus] = forces;
-        let change = |a: usize| -> Row { std::array::from_fn(|k| (plus[a][k] - minus[a][k]) / (2.0 * eps)) };
-        out.fill(0.0);
+        let this: &Self = self;
+        parallel::chunks(threads, out.as_chunks_mut::<6>().0, |first, rows: &mut [Row]| {
+            for (a, row) in (first..).zip(rows) {
+                *row = if own.contains(&a) { this.free_part(a, |a| change[a]) } else { [0.0; 6] };
+            }
+        });
         // Everyone who marches the shell moves its groups.
-        let firsts = self.dependents.junctions.groups.iter().map(Group::first);
-        for a in own.clone().chain(firsts.filter(|a| !own.contains(a))) {
-            out[6 * a..][..6].copy_from_slice(&self.free_part(a, change));
-        }
         for (number, group) in self.dependents.junctions.groups.iter().enumerate() {
+            let first = group.first();
+            let row = self.free_part(first, |a| change[a]);
             let change =
                 std::array::from_fn(|k| (of_bodies[1][number][k] - of_bodies[0][number][k]) / (2.0 * eps));
             let free = self.scaled(group).free_row(change);
-            let own = &mut out[6 * group.first()..][..6];
-            own.iter_mut().zip(free).for_each(|(sum, part)| *sum += part);
+            out[6 * first..][..6].copy_from_slice(&std::array::from_fn::<_, 6, _>(|k| row[k] + free[k]));
         }
     }
 
@@ -134,13 +131,38 @@ impl MassScaled for Shell {
     }
 }
 
+/// A row moved along a direction, its director of length one.
+fn perturbed(row: &Row, along: &Row, eps: f64) -> Row {
+    let mut row: Row = std::array::from_fn(|k| row[k] + eps * along[k]);
+    let scale = 1.0 / (row[3] * row[3] + row[4] * row[4] + row[5] * row[5]).sqrt();
+    row[3..].iter_mut().for_each(|value| *value *= scale);
+    row
+}
+
 impl Shell {
-    /// Adds what the enclosed, as stiff as it may be, exerts more on a state than at home, to the first order of the volume; whether anything is
-    /// enclosed.
-    fn press_of_enclosed(&self, home: &[Row], force: &mut [Row]) -> bool {
-        let mut any = false;
+    /// What springs, contact and what is enclosed exert on the present state, as stiff as they may be; nothing where there are none.
+    fn load_bound(&mut self, home: &[Row]) -> Option<Vec<Row>> {
+        let (springs, touches) = (!self.loading.spring_forces.is_empty(), self.loading.touches());
+        if !springs && !touches && self.loading.enclosed(1.0).next().is_none() {
+            return None;
+        }
+        let mut force = vec![[0.0; 6]; home.len()];
+        if springs {
+            let body = self.dependents.loaded(&self.reference, &self.motion.state);
+            self.loading.add_springs(&body, &mut force);
+            self.share.exchange_bound(&mut force);
+        }
+        if touches {
+            self.loading.add_contact_bounds(&self.motion.state, home, &mut force);
+        }
+        self.press_of_enclosed(home, &mut force);
+        self.dependents.ties.condense(&self.motion.state, &mut force, |_, _| ());
+        Some(force)
+    }
+
+    /// Adds what the enclosed, as stiff as it may be, exerts more on a state than at home, to the first order of the volume.
+    fn press_of_enclosed(&self, home: &[Row], force: &mut [Row]) {
         for (enclosed, _) in self.loading.enclosed(1.0) {
-            any = true;
             let (steepest, gradient) = enclosed.steepest(&self.loaded());
             let moved = self.motion.state.iter().zip(home);
             let along =
@@ -150,7 +172,6 @@ impl Shell {
                 (0..3).for_each(|k| sum[k] -= change * g[k]);
             }
         }
-        any
     }
 
     fn scaled<'a>(&'a self, group: &'a Group) -> Scaled<'a> {
