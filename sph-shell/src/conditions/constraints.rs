@@ -22,12 +22,15 @@ fn leaning(axis: &Vec3, director: &Vec3) -> Option<DirectorHold> {
     (normal.norm() > OUT_OF_PLANE).then(|| DirectorHold::InPlane(normal.normalize()))
 }
 
-/// Whether a support holds the sections of two sheets of a junction in different planes.
-fn at_an_angle(one: &(usize, Holds), two: &(usize, Holds)) -> bool {
-    let (DirectorHold::InPlane(m), DirectorHold::InPlane(n)) = (one.1.director, two.1.director) else {
+/// What supports, by their numbers, ask of the director of one particle.
+type Asked = (usize, DirectorHold);
+
+/// Whether a support of whole sections holds those of two sheets of a junction in different planes.
+fn at_an_angle(holds: &[Holds], one: &Asked, two: &Asked) -> bool {
+    let (DirectorHold::InPlane(m), DirectorHold::InPlane(n)) = (one.1, two.1) else {
         return false;
     };
-    one.0 == two.0 && one.1.section.is_some() && m.cross(&n).norm() > OUT_OF_PLANE
+    one.0 == two.0 && holds[one.0].section.is_some() && m.cross(&n).norm() > OUT_OF_PLANE
 }
 
 impl Constraints {
@@ -38,7 +41,9 @@ impl Constraints {
     pub fn new(reference: &Reference, supports: &[Supported]) -> Result<Self, ShellError> {
         let cloud = &reference.cloud;
         let count = cloud.len();
-        let mut asked: Vec<Vec<(usize, Holds)>> = vec![Vec::new(); count];
+        let holds: Vec<Holds> =
+            supports.iter().map(|supported| supported.support.holds().about(&reference.origin)).collect();
+        let mut asked: Vec<Vec<Asked>> = vec![Vec::new(); count];
         for (support, supported) in supports.iter().enumerate() {
             if supported.particles.is_empty() {
                 return Err(ShellError::EmptySet("a support"));
@@ -49,19 +54,19 @@ impl Constraints {
                     particle,
                     count,
                 })?;
-                let mut holds = supported.support.holds().about(&reference.origin);
-                if let Some(axis) = holds.section {
-                    holds.director = leaning(&axis, &cloud.frames[particle as usize].n)
+                let mut director = holds[support].director;
+                if let Some(axis) = holds[support].section {
+                    director = leaning(&axis, &cloud.frames[particle as usize].n)
                         .ok_or(ShellError::SectionAlongAxis { support, particle })?;
                 }
-                if let DirectorHold::InPlane(normal) = holds.director {
+                if let DirectorHold::InPlane(normal) = director {
                     // The turn that is left free runs along ν × d.
                     let along = normal.dot(&cloud.frames[particle as usize].n);
                     if along.abs() > OUT_OF_PLANE {
                         return Err(ShellError::OutOfPlane { support, particle, along });
                     }
                 }
-                list.push((support, holds));
+                list.push((support, director));
             }
         }
         let mut tied = vec![false; if cloud.joined.is_empty() { 0 } else { count }];
@@ -70,7 +75,7 @@ impl Constraints {
             let mut all: Vec<_> =
                 group.iter().flat_map(|&a| std::mem::take(&mut asked[a as usize])).collect();
             all.sort_by_key(|(support, _)| *support);
-            if let Some(pair) = all.windows(2).find(|pair| at_an_angle(&pair[0], &pair[1])) {
+            if let Some(pair) = all.windows(2).find(|pair| at_an_angle(&holds, &pair[0], &pair[1])) {
                 return Err(ShellError::SectionAlongAxis { support: pair[0].0, particle: group[0] });
             }
             all.dedup_by_key(|(support, _)| *support);
@@ -84,7 +89,11 @@ impl Constraints {
         let mut all = Vec::new();
         for (particle, list) in asked.iter().enumerate().filter(|(a, list)| !list.is_empty() || tied(*a)) {
             let rest = (cloud.positions[particle], cloud.frames[particle].n);
-            let joined = Constraint::join(particle as u32, rest, list)?;
+            let list: Vec<(usize, Holds)> = list
+                .iter()
+                .map(|&(support, director)| (support, Holds { director, ..holds[support].clone() }))
+                .collect();
+            let joined = Constraint::join(particle as u32, rest, &list)?;
             all.push(Constraint { tied: tied(particle), ..joined });
             of_particle[particle] = all.len() as u32;
         }

@@ -45,7 +45,7 @@ impl Constraint {
 
     /// What is prescribed by level, if anything is.
     pub(crate) fn prescribed(&self) -> Option<Prescribed<'_>> {
-        let (motion, rotation) = (self.motion.as_ref(), self.rotation.as_ref());
+        let (motion, rotation) = (self.motion.as_deref(), self.rotation.as_deref());
         (motion.is_some() || rotation.is_some()).then_some(Prescribed {
             rest: self.rest,
             motion,

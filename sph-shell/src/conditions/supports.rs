@@ -181,8 +181,9 @@ pub(crate) struct Constraint {
     /// Directions in which the position is held.
     pub(crate) held: HeldDirections,
     pub(crate) director: DirectorHold,
-    pub(super) motion: Option<Motion>,
-    pub(super) rotation: Option<Rotation>,
+    /// Few particles are moved, and a step reads what is held of each.
+    pub(super) motion: Option<Box<Motion>>,
+    pub(super) rotation: Option<Box<Rotation>>,
     /// Position and director at rest.
     pub(super) rest: (Vec3, Vec3),
     /// Whether the particle belongs to a group, which then moves it.
@@ -221,7 +222,7 @@ impl Constraint {
             held: HeldDirections::default(),
             director: DirectorHold::Free,
             motion: None,
-            rotation: rotation(particle, asked)?,
+            rotation: rotation(particle, asked)?.map(Box::new),
             rest,
             tied: false,
         };
@@ -231,10 +232,10 @@ impl Constraint {
             }
             out.director = join_directors(out.director, hold.director);
             if let Some(motion) = &hold.motion {
-                out.motion = Some(match out.motion.take() {
+                out.motion = Some(Box::new(match out.motion.take() {
                     None => motion.clone(),
                     Some(old) => old.joined(motion).ok_or(ShellError::TwoMotions(particle))?,
-                });
+                }));
             }
         }
         if let Some(motion) = &out.motion {
