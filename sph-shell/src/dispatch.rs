@@ -1,8 +1,14 @@
 //! Runs a piece of work with the widest registers of the machine it finds itself on.
 //!
 //! The workspace is built for the oldest processor of its architecture. Where AVX2 is present, the sweeps of a step run
-//! as a second copy compiled for it. No fused multiply-add is generated (the compiler may not contract), so both copies
-//! give the same bits; tests compare them.
+//! as a second copy compiled for it. Those of the default step have a third, as wide, for the thirty-two registers of AVX-512. No fused
+//! multiply-add is generated (the compiler may not contract), so all copies give the same bits; tests compare them.
+
+#[cfg(target_arch = "x86_64")]
+use std::sync::LazyLock;
+
+#[cfg(target_arch = "x86_64")]
+use fearless_simd::{Simd, x86::Avx512};
 
 use crate::registers::{Baseline, Registers};
 
@@ -23,6 +29,22 @@ pub(crate) fn widest<W: Work>(work: W) -> W::Output {
     }
     work.run(Baseline)
 }
+
+/// The same, in a third copy where there is AVX-512: sixteen more registers, in which less is put aside.
+pub(crate) fn fullest<W: Work>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    if let (Some(more), Some(lanes)) = (*MORE, pulp::x86::V3::try_new()) {
+        return more.vectorize(
+            #[inline(always)]
+            || work.run(lanes),
+        );
+    }
+    widest(work)
+}
+
+/// The registers of AVX-512, if they are there.
+#[cfg(target_arch = "x86_64")]
+static MORE: LazyLock<Option<Avx512>> = LazyLock::new(|| fearless_simd::Level::new().as_avx512());
 
 /// Work on its way into the copy with AVX2.
 #[cfg(target_arch = "x86_64")]

@@ -320,11 +320,12 @@ mod tests {
     use sph_core::{Cylinder, EndWeights, lattice};
 
     use super::*;
+    use crate::dispatch::fullest;
     use crate::formulation::{Formulation, Reach};
     use crate::reference::Reference;
     use crate::regions::Scales;
 
-    /// The copy for this machine, the baseline copy, and the copy for any pair give the same bits.
+    /// The copies for this machine, the baseline copy, and the copy for any pair give the same bits.
     #[test]
     fn all_copies_of_the_sweep_agree_to_the_last_bit() {
         agree(&StretchCorrected);
@@ -359,13 +360,14 @@ mod tests {
             ring.rows().iter().flatten().map(|value| value.to_bits()).collect::<Vec<_>>()
         };
         let here = run(&|ring, energies| widest(Cells { sweep, ring, energies }));
+        let fullest = run(&|ring, energies| fullest(Cells { sweep, ring, energies }));
         let static_law = PointLaw { strain, section: &section, yielding: None };
         let baseline = run(&|ring, energies| {
             sweep.cells::<false, _, _, _>(Baseline, static_law, 0..count, ring, energies)
         });
         let any =
             run(&|ring, energies| sweep.cells::<false, _, _, _>(Baseline, law, 0..count, ring, energies));
-        assert!(here == baseline && here == any);
+        assert!(here == baseline && here == fullest && here == any);
         assert!(here.iter().any(|&bits| f64::from_bits(bits) != 0.0));
     }
 

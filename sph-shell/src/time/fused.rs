@@ -13,7 +13,7 @@ use std::ops::Range;
 use explicit_dynamics::Work;
 use shell_kinematics::LANES;
 
-use crate::dispatch::{Work as Sweeping, widest};
+use crate::dispatch::{Work as Sweeping, fullest};
 use crate::gather::{Gather, Places};
 use crate::packs::{Packs, Row};
 use crate::points::sweep::{Ring, Sweep};
@@ -172,9 +172,9 @@ impl Part {
             let start = packs.start + block * BLOCK;
             let block = start..(start + BLOCK).min(packs.end);
             let energies = &mut energies[block.start - packs.start..block.end - packs.start];
-            widest(Points { sweep, packs: block, ring, energies });
+            fullest(Points { sweep, packs: block, ring, energies });
             let slots = Slots { rows: ring.rows(), lists, first: particles.start };
-            widest(Particles {
+            fullest(Particles {
                 task: &mut task,
                 particles: done..ready as usize,
                 first: particles.start,
