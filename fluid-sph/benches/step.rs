@@ -1,10 +1,13 @@
 //! Whole steps in disordered water, sorting included: time of one core and memory a particle, and what two cores gain.
 //!
 //! `cargo bench -p fluid-sph --bench step -- [NAME | two]`. Times of one thread are those of the processor, so that other
-//! work on the machine counts little; those of two threads are of the wall and hold on a quiet machine only.
+//! work on the machine counts little; those of two threads are of the wall and hold on a quiet machine only. Beside them stands how long a
+//! line of memory takes from one core to the other and back: virtual cores that share a cache have it there in tens of nanoseconds, others in
+//! hundreds, and a host may move them from one minute to the next.
 
 mod waters;
 
+use std::sync::atomic::{AtomicU64, Ordering::Acquire, Ordering::Release};
 use std::time::Instant;
 
 use explicit_dynamics::Clock;
@@ -21,6 +24,8 @@ const WATERS: [Water; 5] = [
 ];
 /// Particle-steps of one measurement, about.
 const WORK: usize = 1_000_000;
+/// Ways there and back of a line of memory.
+const TRIPS: u64 = 500_000;
 /// Measurements, of which the median counts.
 const ROUNDS: usize = 5;
 
@@ -35,13 +40,36 @@ fn main() {
             water.name
         );
     }
-    for water in WATERS.iter().filter(|water| wanted == "two" && water.side > 100) {
+    for water in WATERS.iter().filter(|_| wanted == "two") {
+        let (one, before) = (wall(water, 1), round_trip());
+        let two = wall(water, 2);
         println!(
-            "{}: two threads are {:.2} times as fast as one",
+            "{}: two threads are {:.2} times as fast as one; a line of memory there and back: {before:.0} ns, {:.0} ns after",
             water.name,
-            wall(water, 1) / wall(water, 2)
+            one / two,
+            round_trip()
         );
     }
+}
+
+/// Time that a line of memory takes from one thread to another and back \[ns\].
+fn round_trip() -> f64 {
+    static LINE: AtomicU64 = AtomicU64::new(0);
+    LINE.store(0, Release);
+    let turn = |mine: u64| {
+        for k in 0..TRIPS {
+            while LINE.load(Acquire) != 2 * k + mine {
+                std::hint::spin_loop();
+            }
+            LINE.store(2 * k + mine + 1, Release);
+        }
+    };
+    let start = Instant::now();
+    std::thread::scope(|threads| {
+        threads.spawn(|| turn(1));
+        turn(0);
+    });
+    1e9 * start.elapsed().as_secs_f64() / TRIPS as f64
 }
 
 /// Time of the wall for a particle-step \[s\].

@@ -190,6 +190,10 @@ pub(crate) struct Constraint {
     pub(crate) tied: bool,
 }
 
+/// A step reads one a held particle, which may be all.
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(size_of::<Constraint>() <= 184);
+
 impl Constraint {
     /// Nothing moves: of a particle that hangs on others and is put where they are.
     pub(crate) fn still(rest: (Vec3, Vec3)) -> Self {
