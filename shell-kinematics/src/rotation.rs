@@ -41,10 +41,10 @@ fn small<N: Number>(t2: N) -> [N; 2] {
     let one = t2.all(1.0);
     let [mut sinc, mut cos] = [one; 2];
     for divisor in [42.0, 20.0, 6.0] {
-        sinc = one - t2 / t2.all(divisor) * sinc;
+        sinc = one - t2 * (1.0 / divisor) * sinc;
     }
     for divisor in [56.0, 30.0, 12.0, 2.0] {
-        cos = one - t2 / t2.all(divisor) * cos;
+        cos = one - t2 * (1.0 / divisor) * cos;
     }
     [sinc, cos]
 }
