@@ -9,7 +9,7 @@ use shell_kinematics::LANES;
 use sph_core::SamplingOperator;
 
 use crate::packs::{Packs, Row};
-use crate::registers::Registers;
+use crate::registers::Fours;
 
 /// Slots of particles in ascending order; four particles have lists of one length, filled up with a slot of zeros.
 #[derive(Clone, Debug)]
@@ -39,13 +39,13 @@ impl Gather {
 
     /// Adds the slots of the four particles of a group to their rows, in halves.
     #[inline(always)]
-    pub fn add<R: Registers>(
+    pub fn add<R: Fours>(
         &self,
         registers: R,
         group: usize,
         slots: &[Row],
-        mut sums: [[R::Four; 2]; LANES],
-    ) -> [[R::Four; 2]; LANES] {
+        mut sums: [[R::Numbers; 2]; LANES],
+    ) -> [[R::Numbers; 2]; LANES] {
         for four in &self.slots[self.offsets[group] as usize..self.offsets[group + 1] as usize] {
             for lane in 0..LANES {
                 let [low, high] = registers.halves(&slots[four[lane] as usize]);

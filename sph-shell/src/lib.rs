@@ -11,8 +11,8 @@
 //! | the pipeline of a point: strain → stress → force | `points/point.rs`, [`Shell::internal_force`] |
 //! | points in packs of four; equal constants kept once | `packs.rs`; `shared.rs` |
 //! | where the forces on a particle lie, the transpose of the stencils | `gather.rs` |
-//! | the registers of a processor, which copy of a sweep runs | `registers.rs`; `dispatch.rs` |
-//! | the sweep over all points, into slots | `points/sweep.rs` |
+//! | the registers of a processor, which copy of a sweep runs | `registers.rs`, `eights.rs`; `dispatch.rs` |
+//! | the sweep over all points, into slots, which lie in a ring | `points/sweep.rs`; `points/ring.rs` |
 //! | what each formulation does beside its strains | `points/scheme.rs` |
 //! | stresses of the unstrained shell; heat | `initial_stress.rs`, [`ShellBuilder::stresses`]; `heat.rs`, [`ShellBuilder::temperatures`] |
 //! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
@@ -298,6 +298,8 @@ mod conduction;
 mod control;
 mod dependents;
 mod dispatch;
+#[cfg(target_arch = "x86_64")]
+mod eights;
 mod enclosing;
 mod error;
 mod even_bed;

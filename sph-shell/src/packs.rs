@@ -7,7 +7,6 @@
 use shell_kinematics::{LANES, Measures, Pack};
 use sph_core::SamplingOperator;
 
-use crate::registers::Registers;
 use crate::shared::{Interned, Shared};
 
 pub(crate) use crate::registers::Row;
@@ -56,14 +55,6 @@ pub(crate) struct Packs {
     pub constants: Shared<Constants>,
     /// Sampling point in each lane of each pack.
     pub order: Vec<[u32; LANES]>,
-}
-
-impl Entry {
-    /// φ, G₁ and G₂ in registers.
-    #[inline(always)]
-    pub fn load<R: Registers>(&self, registers: R) -> [R::Four; 3] {
-        [registers.load(&self.phi), registers.load(&self.g1), registers.load(&self.g2)]
-    }
 }
 
 impl PointPack {

@@ -31,7 +31,7 @@ use sph_core::SamplingOperator;
 
 use crate::packs::Packs;
 use crate::regions::Scales;
-use crate::registers::Registers;
+use crate::registers::{Registers, in_all};
 
 /// ε, bound of the softening of the membrane of a cell \[–\]; a shell softens by a twentieth of it.
 const SOFTENING: f64 = 0.2;
@@ -106,9 +106,9 @@ impl ArcPack {
 
     /// The constants in registers.
     #[inline(always)]
-    pub fn load<R: Registers>(&self, registers: R) -> ArcPack<R::Four> {
-        let [l11, l22, l12] = &self.rows;
-        ArcPack { rows: [registers.loads(l11), registers.loads(l22), registers.loads(l12)] }
+    pub fn load<const P: usize, R: Registers<P>>(of: [&Self; P], registers: R) -> ArcPack<R::Numbers> {
+        let rows = |m: usize| in_all(of, |of| &of.rows[m]);
+        ArcPack { rows: [registers.loads(rows(0)), registers.loads(rows(1)), registers.loads(rows(2))] }
     }
 
     /// Turns second derivatives and forces over adjusted measures into those over plain ones.

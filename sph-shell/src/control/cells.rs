@@ -49,7 +49,7 @@ use shell_kinematics::{LANES, Number, Pack, Pack3, Placement, PlacementForces};
 use sph_core::{SamplingOperator, Vec3};
 
 use crate::regions::Scales;
-use crate::registers::Registers;
+use crate::registers::{Registers, in_all};
 
 pub(crate) use tangent::{PointTangent, ScaleTangent, VECTORS};
 
@@ -167,14 +167,14 @@ impl CellPack {
 
     /// The constants in registers.
     #[inline(always)]
-    pub fn load<R: Registers>(&self, registers: R) -> CellPack<R::Four> {
+    pub fn load<const P: usize, R: Registers<P>>(of: [&Self; P], registers: R) -> CellPack<R::Numbers> {
         CellPack {
-            lever: registers.loads(&self.lever),
-            twist: registers.loads(&self.twist),
-            stiffness: registers.loads(&self.stiffness),
-            swirl: registers.load(&self.swirl),
-            quarter: registers.load(&self.quarter),
-            reference: registers.loads(&self.reference),
+            lever: registers.loads(in_all(of, |of| &of.lever)),
+            twist: registers.loads(in_all(of, |of| &of.twist)),
+            stiffness: registers.loads(in_all(of, |of| &of.stiffness)),
+            swirl: registers.load(in_all(of, |of| &of.swirl)),
+            quarter: registers.load(in_all(of, |of| &of.quarter)),
+            reference: registers.loads(in_all(of, |of| &of.reference)),
         }
     }
 

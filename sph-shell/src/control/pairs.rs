@@ -130,13 +130,13 @@ impl PairControl {
         own: &[Row; LANES],
         state: &[Row],
     ) -> [Row; LANES] {
-        let own = columns(registers, own);
+        let own = columns(registers, std::array::from_ref(own));
         let mut force = [registers.splat(0.0); 6];
         let range = self.offsets[group] as usize..self.offsets[group + 1] as usize;
         for ([a, b, c, d], numbers) in self.particles[range.clone()].iter().zip(&self.numbers[range]) {
             let rows = [&state[*a as usize], &state[*b as usize], &state[*c as usize], &state[*d as usize]];
-            let other = registers.columns(rows);
-            let [xx, xd, dx, dd] = registers.loads(numbers);
+            let other = registers.columns([rows]);
+            let [xx, xd, dx, dd] = registers.loads([numbers]);
             for k in 0..3 {
                 // Rows add up to zero over positions: differences keep translation exact.
                 let u = other[k] - own[k];
@@ -145,7 +145,8 @@ impl PairControl {
                 force[3 + k] += dx * u + dd * d;
             }
         }
-        registers.rows(force)
+        let [rows] = registers.rows(force);
+        rows
     }
 
     /// The blocks of particle `a`: other particle, and `∂f_x/∂x, ∂f_x/∂d, ∂f_d/∂x, ∂f_d/∂d`.

@@ -20,7 +20,7 @@ use shell_kinematics::{LANES, Matrix8, Number, Pack, Resultants, Strains};
 use sph_core::SamplingOperator;
 
 use crate::regions::Scales;
-use crate::registers::Registers;
+use crate::registers::{Registers, in_all};
 
 /// α \[–\]: the least that keeps disordered plates of L/t = 10⁴ within .15 % of L/t = 10²; 0.4 softens the hemisphere by .8 %.
 const RELAXATION: f64 = 0.02;
@@ -73,8 +73,11 @@ impl ShearPack {
 
     /// The constants in registers.
     #[inline(always)]
-    pub fn load<R: Registers>(&self, registers: R) -> ShearPack<R::Four> {
-        ShearPack { moments: registers.loads(&self.moments), share: registers.load(&self.share) }
+    pub fn load<const P: usize, R: Registers<P>>(of: [&Self; P], registers: R) -> ShearPack<R::Numbers> {
+        ShearPack {
+            moments: registers.loads(in_all(of, |of| &of.moments)),
+            share: registers.load(in_all(of, |of| &of.share)),
+        }
     }
 
     /// Adjusts the derivative of the strains as [`ShearPack::adjust`] does the strains.

@@ -20,7 +20,7 @@
 
 use shell_kinematics::{Number, Pack};
 
-use crate::registers::Registers;
+use crate::registers::{Registers, in_all};
 
 /// Pulls of four cells where their history was committed last, and the share that the step before kept.
 #[derive(Clone, Debug)]
@@ -72,12 +72,15 @@ impl YieldingControl {
 
     /// Itself in registers.
     #[inline(always)]
-    pub fn load<R: Registers>(&self, registers: R) -> YieldingControl<R::Four> {
+    pub fn load<const P: usize, R: Registers<P>>(
+        of: [&Self; P],
+        registers: R,
+    ) -> YieldingControl<R::Numbers> {
         YieldingControl {
-            kept: registers.load(&self.kept),
-            pull: registers.loads(&self.pull),
-            at: registers.loads(&self.at),
-            work: registers.load(&self.work),
+            kept: registers.load(in_all(of, |of| &of.kept)),
+            pull: registers.loads(in_all(of, |of| &of.pull)),
+            at: registers.loads(in_all(of, |of| &of.at)),
+            work: registers.load(in_all(of, |of| &of.work)),
         }
     }
 

@@ -42,7 +42,7 @@ impl Points {
     ) -> Option<BoundViolation> {
         let packs = &self.packs;
         for (index, points) in packs.order.iter().enumerate().take(among.end).skip(among.start) {
-            let (p, _) = Point::new(packs, index).interpolate::<false>(state);
+            let (p, _) = Point::new(packs, index).treated().interpolate::<false>(state);
             let area = p.x1.cross(p.x2).dot(p.d).lanes();
             let squares = [p.x1.dot(p.x1), p.x2.dot(p.x2), p.x1.dot(p.x2)].map(|c| c.lanes());
             for lane in 0..LANES {

@@ -5,6 +5,7 @@ pub(crate) mod point;
 pub(crate) mod remembered;
 pub(crate) mod remembering;
 pub(crate) mod results;
+pub(crate) mod ring;
 pub(crate) mod scheme;
 pub(crate) mod strong_form;
 pub(crate) mod sweep;

@@ -14,7 +14,7 @@ use crate::control::cells::{CellPack, CellState};
 use crate::control::shear::ShearPack;
 use crate::control::yielding::YieldingControl;
 use crate::packs::{Constants, Entry, Packs, PointPack, Row};
-use crate::registers::{Baseline, Registers};
+use crate::registers::{Baseline, Registers, in_all};
 
 /// Strain measure and section of the points.
 ///
@@ -44,10 +44,9 @@ impl PointLaw<'_> {
     }
 }
 
-/// Four points: their stencils, what corrects their strains where something does, and the registers they are treated in.
+/// Four points: their stencils, and what corrects their strains where something does.
 #[derive(Clone, Copy)]
-pub(crate) struct Point<'a, R = Baseline> {
-    pub registers: R,
+pub(crate) struct Point<'a> {
     pub place: &'a PointPack,
     pub pack: &'a Constants,
     pub particles: &'a [[u32; LANES]],
@@ -59,6 +58,13 @@ pub(crate) struct Point<'a, R = Baseline> {
     pub section: Option<&'a dyn Section>,
     /// Their strain measures, where not all points have the same.
     pub strain: Option<&'a dyn StrainMeasure>,
+}
+
+/// The points of `P` packs, in the registers in which they are treated.
+#[derive(Clone, Copy)]
+pub(crate) struct Treated<'a, R = Baseline, const P: usize = 1> {
+    pub registers: R,
+    pub of: [Point<'a>; P],
 }
 
 /// Four points in a state: from their vectors to their strains.
@@ -100,7 +106,6 @@ impl<'a> Point<'a> {
         let place = &packs.points[index];
         let width = place.width as usize;
         Self {
-            registers: Baseline,
             place,
             pack: packs.constants.get(index),
             particles: &packs.particles[place.first as usize..][..width],
@@ -113,36 +118,121 @@ impl<'a> Point<'a> {
         }
     }
 
-    /// The same points in other registers.
+    /// The same points in registers.
     #[inline(always)]
-    pub fn treated_in<R: Registers>(self, registers: R) -> Point<'a, R> {
-        let Self { place, pack, particles, entries, shear, arcs, cell, section, strain, .. } = self;
-        Point { registers, place, pack, particles, entries, shear, arcs, cell, section, strain }
+    pub fn treated_in<R: Registers>(self, registers: R) -> Treated<'a, R> {
+        Treated { registers, of: [self] }
+    }
+
+    /// In those of any processor.
+    #[inline(always)]
+    pub fn treated(self) -> Treated<'a> {
+        self.treated_in(Baseline)
     }
 }
 
-impl<R: Registers> Point<'_, R> {
-    /// Rows of four particles, turned into columns.
+impl<'a, R: Registers<P>, const P: usize> Treated<'a, R, P> {
+    /// One thing of each pack.
     #[inline(always)]
-    fn columns(&self, state: &[Row], [a, b, c, d]: &[u32; LANES]) -> [R::Four; 6] {
-        let rows = [&state[*a as usize], &state[*b as usize], &state[*c as usize], &state[*d as usize]];
-        self.registers.columns(rows)
+    pub fn each<T>(&self, thing: impl Fn(&Point<'a>) -> &'a T) -> [&'a T; P] {
+        let mut all = [thing(&self.of[0]); P];
+        for i in 1..P {
+            all[i] = thing(&self.of[i]);
+        }
+        all
+    }
+
+    /// One thing of each pack, if all have it.
+    #[inline(always)]
+    fn all<T>(&self, thing: impl Fn(&Point<'a>) -> Option<&'a T>) -> Option<[&'a T; P]> {
+        let mut all = [thing(&self.of[0])?; P];
+        for i in 1..P {
+            all[i] = thing(&self.of[i])?;
+        }
+        Some(all)
+    }
+
+    /// Whether one law of one form goes for all: their stencils have as many entries.
+    #[inline(always)]
+    pub fn are_alike(&self) -> bool {
+        (1..P).all(|i| self.of[i].entries.len() == self.width())
+    }
+
+    /// Rows of particles, turned into columns.
+    #[inline(always)]
+    fn columns(&self, state: &[Row], particles: [&[u32; LANES]; P]) -> [R::Numbers; 6] {
+        self.registers.columns(in_all(particles, |[a, b, c, d]| {
+            [&state[*a as usize], &state[*b as usize], &state[*c as usize], &state[*d as usize]]
+        }))
+    }
+
+    /// Entries beyond the base.
+    #[inline(always)]
+    pub fn width(&self) -> usize {
+        self.of[0].entries.len()
+    }
+
+    /// The entries of each pack, as many as are asked for: what is read of them in a loop up to there is not checked again.
+    #[inline(always)]
+    pub fn entries(&self, width: usize) -> [&'a [Entry]; P] {
+        let mut all = [&self.of[0].entries[..width]; P];
+        for i in 1..P {
+            all[i] = &self.of[i].entries[..width];
+        }
+        all
+    }
+
+    /// The particles of the entries of each pack.
+    #[inline(always)]
+    fn particles(&self, width: usize) -> [&'a [[u32; LANES]]; P] {
+        let mut all = [&self.of[0].particles[..width]; P];
+        for i in 1..P {
+            all[i] = &self.of[i].particles[..width];
+        }
+        all
+    }
+
+    /// φ, G₁ and G₂ of an entry of each pack.
+    #[inline(always)]
+    pub fn numbers(&self, entry: [&Entry; P]) -> [R::Numbers; 3] {
+        let registers = self.registers;
+        [
+            registers.load(in_all(entry, |entry| &entry.phi)),
+            registers.load(in_all(entry, |entry| &entry.g1)),
+            registers.load(in_all(entry, |entry| &entry.g2)),
+        ]
+    }
+
+    /// Areas w_p \[L²\].
+    #[inline(always)]
+    pub fn weight(&self) -> R::Numbers {
+        self.registers.load(self.each(|point| &point.pack.weight))
+    }
+
+    /// Measures of the reference configuration.
+    #[inline(always)]
+    fn reference(&self) -> Measures<R::Numbers> {
+        self.registers.load_measures(self.each(|point| &point.pack.reference))
     }
 
     /// The five vectors, and with `CELL` the raw hourglass sums.
     #[inline(always)]
-    pub fn interpolate<const CELL: bool>(&self, state: &[Row]) -> (Placement<R::Four>, [Pack3<R::Four>; 2]) {
-        if CELL && let (Ok(entries), Ok(particles)) = (self.entries.try_into(), self.particles.try_into()) {
-            return self.quadrangle(state, entries, particles);
+    pub fn interpolate<const CELL: bool>(
+        &self,
+        state: &[Row],
+    ) -> (Placement<R::Numbers>, [Pack3<R::Numbers>; 2]) {
+        let base = self.columns(state, self.each(|point| &point.place.base));
+        if CELL && self.width() == 3 {
+            return self.quadrangle(state, &base);
         }
-        let base = self.columns(state, &self.place.base);
         let zero = Pack3([self.registers.splat(0.0); 3]);
         let mut p =
             Placement { x1: zero, x2: zero, d: Pack3([base[3], base[4], base[5]]), d1: zero, d2: zero };
         let mut raw = [zero; 2];
-        for (k, (entry, particles)) in self.entries.iter().zip(self.particles).enumerate() {
-            let [dx, dd] = self.difference(state, particles, &base);
-            let [phi, g1, g2] = entry.load(self.registers);
+        let (entries, particles) = (self.entries(self.width()), self.particles(self.width()));
+        for k in 0..self.width() {
+            let [dx, dd] = self.difference(state, in_all(particles, |of| &of[k]), &base);
+            let [phi, g1, g2] = self.numbers(in_all(entries, |of| &of[k]));
             p.x1 += dx * g1;
             p.x2 += dx * g2;
             p.d += dd * phi;
@@ -160,18 +250,20 @@ impl<R: Registers> Point<'_, R> {
     fn quadrangle(
         &self,
         state: &[Row],
-        [a, b, c]: &[Entry; 3],
-        [at_a, at_b, at_c]: &[[u32; LANES]; 3],
-    ) -> (Placement<R::Four>, [Pack3<R::Four>; 2]) {
-        let base = self.columns(state, &self.place.base);
+        base: &[R::Numbers; 6],
+    ) -> (Placement<R::Numbers>, [Pack3<R::Numbers>; 2]) {
         let zero = Pack3([self.registers.splat(0.0); 3]);
+        let (entries, particles) = (self.entries(3), self.particles(3));
         let [[xa, da], [xb, db], [xc, dc]] = [
-            self.difference(state, at_a, &base),
-            self.difference(state, at_b, &base),
-            self.difference(state, at_c, &base),
+            self.difference(state, in_all(particles, |of| &of[0]), base),
+            self.difference(state, in_all(particles, |of| &of[1]), base),
+            self.difference(state, in_all(particles, |of| &of[2]), base),
         ];
-        let [[phi_a, g1a, g2a], [phi_b, g1b, g2b], [phi_c, g1c, g2c]] =
-            [a.load(self.registers), b.load(self.registers), c.load(self.registers)];
+        let [[phi_a, g1a, g2a], [phi_b, g1b, g2b], [phi_c, g1c, g2c]] = [
+            self.numbers(in_all(entries, |of| &of[0])),
+            self.numbers(in_all(entries, |of| &of[1])),
+            self.numbers(in_all(entries, |of| &of[2])),
+        ];
         let x1 = zero + xa * g1a + xb * g1b + xc * g1c;
         let x2 = zero + xa * g2a + xb * g2b + xc * g2c;
         let raw_x = signed(2, signed(1, signed(0, zero, xa), xb), xc);
@@ -187,9 +279,9 @@ impl<R: Registers> Point<'_, R> {
     fn difference(
         &self,
         state: &[Row],
-        particles: &[u32; LANES],
-        base: &[R::Four; 6],
-    ) -> [Pack3<R::Four>; 2] {
+        particles: [&[u32; LANES]; P],
+        base: &[R::Numbers; 6],
+    ) -> [Pack3<R::Numbers>; 2] {
         let row = self.columns(state, particles);
         [
             Pack3([row[0] - base[0], row[1] - base[1], row[2] - base[2]]),
@@ -199,52 +291,56 @@ impl<R: Registers> Point<'_, R> {
 
     /// Particles → vectors → measures → arcs → strains → shear; the control of cells with `CELL`.
     #[inline(always)]
-    pub fn strained<const CELL: bool, M: StrainsOf<R::Four> + ?Sized>(
+    pub fn strained<const CELL: bool, M: StrainsOf<R::Numbers> + ?Sized>(
         &self,
         measure: &M,
         state: &[Row],
-    ) -> PointState<R::Four> {
+    ) -> PointState<R::Numbers> {
         let (placement, raw) = self.interpolate::<CELL>(state);
-        let reference = self.registers.load_measures(&self.pack.reference);
+        let reference = self.reference();
         let mut measures = placement.measures();
         let mut control = None;
-        if CELL && let Some(cell) = self.cell {
-            let cell = cell.load(self.registers);
+        if CELL && let Some(cells) = self.all(|point| point.cell) {
+            let cell = CellPack::load(cells, self.registers);
             let state = cell.state(&placement, &measures.curvature, raw);
             measures.curvature = state.arc(measures.curvature);
             control = Some((cell, state));
         }
-        if let Some(arcs) = self.arcs {
-            arcs.load(self.registers).adjust(&mut measures, &reference);
+        if let Some(arcs) = self.all(|point| point.arcs) {
+            ArcPack::load(arcs, self.registers).adjust(&mut measures, &reference);
         }
         let mut strains = measure.strains_of(&measures, &reference);
-        if let Some(shear) = self.shear {
-            shear.load(self.registers).adjust(&mut strains);
+        if let Some(shear) = self.all(|point| point.shear) {
+            ShearPack::load(shear, self.registers).adjust(&mut strains);
         }
         PointState { placement, measures, strains, control }
     }
 
     /// Strains → resultants and, transposed, back to forces on the vectors; the energy with `ENERGY`.
     #[inline(always)]
-    pub fn forces<const ENERGY: bool, M: StrainsOf<R::Four> + ?Sized, S: SectionOf<R::Four> + ?Sized>(
+    pub fn forces<
+        const ENERGY: bool,
+        M: StrainsOf<R::Numbers> + ?Sized,
+        S: SectionOf<R::Numbers> + ?Sized,
+    >(
         &self,
         law: PointLaw<'_, M, S>,
-        now: &PointState<R::Four>,
-    ) -> PointForces<R::Four> {
+        now: &PointState<R::Numbers>,
+    ) -> PointForces<R::Numbers> {
         let registers = self.registers;
         let mut stress = law.section.resultants_of(&now.strains);
         let density = if ENERGY { law.section.energy_of(&now.strains) } else { registers.splat(0.0) };
-        if let Some(shear) = self.shear {
-            shear.load(registers).transpose(&mut stress);
+        if let Some(shear) = self.all(|point| point.shear) {
+            ShearPack::load(shear, registers).transpose(&mut stress);
         }
-        let reference = registers.load_measures(&self.pack.reference);
+        let reference = self.reference();
         let mut on_measures = law.strain.transpose_of(&now.measures, &reference, &stress);
-        if let Some(arcs) = self.arcs {
-            arcs.load(registers).transpose(&mut on_measures);
+        if let Some(arcs) = self.all(|point| point.arcs) {
+            ArcPack::load(arcs, registers).transpose(&mut on_measures);
         }
         let mut released = registers.splat(0.0);
         if let Some((_, state)) = &now.control {
-            released = state.released(&on_measures.curvature) * registers.load(&self.pack.weight);
+            released = state.released(&on_measures.curvature) * self.weight();
             on_measures.curvature = state.arc(on_measures.curvature);
         }
         PointForces { on_vectors: now.placement.transpose(&on_measures), density, released }

@@ -12,9 +12,11 @@ use crate::dispatch::{Work, widest};
 use crate::packs::Row;
 use crate::points::point::PointLaw;
 use crate::points::remembering::RememberingPack;
+
+use crate::points::ring::Ring;
 use crate::points::scheme::{Points, Sections};
-use crate::points::sweep::{Ring, Sweep};
-use crate::registers::{Baseline, Registers};
+use crate::points::sweep::Sweep;
+use crate::registers::{Baseline, Registers, pack_of};
 
 /// A section that yields, in registers. The strains of the last commit meet what they met there: in a march each point comes back to its yield
 /// surface once a step.
@@ -23,33 +25,33 @@ struct Yielding<'a, R> {
     registers: R,
 }
 
-impl<R: Registers> SectionOf<R::Four> for Yielding<'_, R> {
+impl<R: Registers> SectionOf<R::Numbers> for Yielding<'_, R> {
     #[inline(always)]
-    fn resultants_of(&self, strains: &Strains<R::Four>) -> Resultants<R::Four> {
+    fn resultants_of(&self, strains: &Strains<R::Numbers>) -> Resultants<R::Numbers> {
         let Strains { membrane: [a, b, c], curvature: [d, e, f], shear: [g, h] } = *strains;
-        let (now, at) = ([a, b, c, d, e, f, g, h], self.registers.loads(self.pack.at));
+        let (now, at) = ([a, b, c, d, e, f, g, h], self.registers.loads([self.pack.at]));
         let mut apart = self.registers.splat(0.0);
         for i in 0..8 {
             let way = now[i] - at[i];
             apart += way.max(at[i] - now[i]);
         }
         if apart.below(f64::MIN_POSITIVE) {
-            let [a, b, c, d, e, f, g, h] = self.registers.loads(self.pack.met);
+            let [a, b, c, d, e, f, g, h] = self.registers.loads([self.pack.met]);
             return Resultants { membrane: [a, b, c], moment: [d, e, f], shear: [g, h] };
         }
-        self.pack.section.resultants_in(strains, |i| self.registers.load(&self.pack.committed[i]))
+        self.pack.section.resultants_in(strains, |i| self.registers.load([&self.pack.committed[i]]))
     }
 
     #[inline(always)]
-    fn energy_of(&self, strains: &Strains<R::Four>) -> R::Four {
-        self.pack.section.energy_in(strains, |i| self.registers.load(&self.pack.committed[i]))
+    fn energy_of(&self, strains: &Strains<R::Numbers>) -> R::Numbers {
+        self.pack.section.energy_in(strains, |i| self.registers.load([&self.pack.committed[i]]))
     }
 }
 
 impl Sweep<'_> {
     /// Packs whose sections have a memory, one after the other.
     #[inline(always)]
-    pub(super) fn cells_that_remember<R: Registers>(
+    pub(super) fn cells_that_remember<R: Registers<Single = R>>(
         &self,
         registers: R,
         own: &[RememberingPack],
@@ -68,10 +70,10 @@ impl Sweep<'_> {
             match (strain.zip(section.yielding()), self.energy) {
                 (Some((strain, pack_of)), false) => {
                     let law = PointLaw { strain, section: &Yielding { pack: pack_of, registers }, yielding };
-                    self.cells::<false, _, _, _>(registers, law, pack, ring, energy);
+                    self.cells::<false, 1, _, _, _>(registers, law, pack, ring, energy);
                 }
-                (None, false) => self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy),
-                (_, true) => self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy),
+                (None, false) => self.cells::<false, 1, _, _, _>(Baseline, law, pack, ring, energy),
+                (_, true) => self.cells::<true, 1, _, _, _>(Baseline, law, pack, ring, energy),
             }
         }
     }
@@ -130,7 +132,7 @@ impl Work for Committing<'_> {
 }
 
 #[inline(always)]
-fn commit<R: Registers, M: StrainsOf<R::Four> + ?Sized>(
+fn commit<R: Registers, M: StrainsOf<R::Numbers> + ?Sized>(
     points: &Points,
     registers: R,
     strain: &M,
@@ -144,14 +146,15 @@ fn commit<R: Registers, M: StrainsOf<R::Four> + ?Sized>(
     let Some(Commit { section, committed, trial }) = pack.section.begin_commit(&strains) else { return };
     let met = match ((section as &dyn Any).downcast_ref::<PlasticSection>(), section.memory()) {
         (Some(plastic), _) => {
-            let read = |i: usize| registers.load(&committed[i]);
+            let read = |i: usize| registers.load([&committed[i]]);
             let Resultants { membrane: [a, b, c], moment: [d, e, f], shear: [g, h] } =
-                plastic
-                    .commit_in(&now.strains, duration, read, |i, number| trial[i] = registers.store(number));
+                plastic.commit_in(&now.strains, duration, read, |i, number| {
+                    trial[i] = pack_of(registers, number)
+                });
             Resultants {
-                membrane: [registers.store(a), registers.store(b), registers.store(c)],
-                moment: [registers.store(d), registers.store(e), registers.store(f)],
-                shear: [registers.store(g), registers.store(h)],
+                membrane: [pack_of(registers, a), pack_of(registers, b), pack_of(registers, c)],
+                moment: [pack_of(registers, d), pack_of(registers, e), pack_of(registers, f)],
+                shear: [pack_of(registers, g), pack_of(registers, h)],
             }
         }
         (None, Some(memory)) => memory.history_from(&strains, duration, committed, trial),
@@ -162,7 +165,7 @@ fn commit<R: Registers, M: StrainsOf<R::Four> + ?Sized>(
         let (k, s) = (cell.stiffnesses(), hourglass.components());
         let [mut at_rest, mut components] = [[Pack::ZERO; 6]; 2];
         for i in 0..6 {
-            (at_rest[i], components[i]) = (registers.store(k[i]), registers.store(s[i]));
+            (at_rest[i], components[i]) = (pack_of(registers, k[i]), pack_of(registers, s[i]));
         }
         pack.control.commit(at_rest, &components, pack.section.kept_share());
     }
@@ -170,12 +173,12 @@ fn commit<R: Registers, M: StrainsOf<R::Four> + ?Sized>(
 
 /// Strains to memory.
 #[inline(always)]
-fn stored<R: Registers>(registers: R, strains: &Strains<R::Four>) -> Strains {
+fn stored<R: Registers>(registers: R, strains: &Strains<R::Numbers>) -> Strains {
     let Strains { membrane: [a, b, c], curvature: [d, e, f], shear: [g, h] } = *strains;
     Strains {
-        membrane: [registers.store(a), registers.store(b), registers.store(c)],
-        curvature: [registers.store(d), registers.store(e), registers.store(f)],
-        shear: [registers.store(g), registers.store(h)],
+        membrane: [pack_of(registers, a), pack_of(registers, b), pack_of(registers, c)],
+        curvature: [pack_of(registers, d), pack_of(registers, e), pack_of(registers, f)],
+        shear: [pack_of(registers, g), pack_of(registers, h)],
     }
 }
 
@@ -247,7 +250,7 @@ mod tests {
             }
             let law =
                 PointLaw { strain: &Logarithmic as &dyn StrainMeasure, section: &**section, yielding: None };
-            let mut ring = Ring::new(&points.packs, count);
+            let mut ring = Ring::new(&points.packs, 0, count);
             let work = Swept {
                 sweep: Sweep { points: &points, law, state: &state, energy: false },
                 ring: &mut ring,

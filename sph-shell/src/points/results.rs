@@ -115,14 +115,19 @@ impl Shell {
         let mut sum = 0.0;
         for (index, own) in self.points.sections.histories().iter().enumerate() {
             let point = self.points.point(index);
-            let PointState { strains, control, .. } =
-                point.strained::<true, _>(point.strain.unwrap_or(self.material.strain), &self.motion.state);
+            let PointState { strains, control, .. } = self.strained(&point);
             sum += (own.section.energy(&strains) * point.pack.weight).sum();
             if let Some((cell, hourglass)) = &control {
                 sum += own.control.pulls(cell.stiffnesses(), hourglass.components()).1.sum();
             }
         }
         sum
+    }
+
+    /// Four points in the present state.
+    fn strained(&self, point: &Point<'_>) -> PointState {
+        let strain = point.strain.unwrap_or(self.material.strain);
+        point.treated().strained::<true, _>(strain, &self.motion.state)
     }
 
     /// The section of four points.
@@ -136,8 +141,7 @@ impl Shell {
     pub fn point_results(&self, out: &mut [PointResult]) {
         for (index, points) in self.points.packs.order.iter().enumerate() {
             let point = self.points.point(index);
-            let PointState { placement: p, strains, .. } =
-                point.strained::<true, _>(point.strain.unwrap_or(self.material.strain), &self.motion.state);
+            let PointState { placement: p, strains, .. } = self.strained(&point);
             let stress = self.section_of(&point).resultants(&strains);
             for (lane, &point) in points.iter().enumerate().take(LANES) {
                 // Filling lanes repeat the last point: the same numbers once more.

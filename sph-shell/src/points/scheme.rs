@@ -160,7 +160,7 @@ impl Points {
         let (mut constants, mut cells) = (Vec::new(), Vec::new());
         for (index, points) in packs.order.iter().enumerate() {
             let point = Point::new(&packs, index);
-            let (p, raw) = point.interpolate::<true>(&rest);
+            let (p, raw) = point.treated().interpolate::<true>(&rest);
             let weight = point.pack.weight;
             let mut measures = p.measures();
             if let Scheme::Cells { .. } = scheme {
@@ -197,6 +197,16 @@ impl Points {
             strain: self.strains.get(index).map(|own| own as _),
             ..Point::new(&self.packs, index)
         }
+    }
+
+    /// The points of packs that follow each other.
+    #[inline(always)]
+    pub fn several<const P: usize>(&self, first: usize) -> [Point<'_>; P] {
+        let mut all = [self.point(first); P];
+        for i in 1..P {
+            all[i] = self.point(first + i);
+        }
+        all
     }
 
     /// Lets all histories stay as they are whatever the strains, or no longer.

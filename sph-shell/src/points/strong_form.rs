@@ -32,7 +32,7 @@ use crate::formulation::Divergence;
 use crate::packs::{Packs, Row};
 use crate::points::point::{Point, PointLaw};
 use crate::reference::Reference;
-use crate::registers::{Baseline, Registers};
+use crate::registers::{Baseline, Registers, pack_of};
 
 /// Of one particle: force resultants \[F/L\], moments about axes \[F\], the torque T per area \[F/L\], and the tangents `x,1` and `x,2`.
 type PointRow = [[f64; 3]; 7];
@@ -207,8 +207,8 @@ impl Sampled<'_, '_> {
     fn all<
         const ENERGY: bool,
         R: Registers,
-        M: StrainsOf<R::Four> + ?Sized,
-        S: SectionOf<R::Four> + ?Sized,
+        M: StrainsOf<R::Numbers> + ?Sized,
+        S: SectionOf<R::Numbers> + ?Sized,
     >(
         &mut self,
         registers: R,
@@ -224,13 +224,12 @@ impl Sampled<'_, '_> {
             let (f, p) = (found.on_vectors, now.placement);
             let torque = zero - p.d1.cross(f.m1) - p.d2.cross(f.m2) - p.d.cross(f.q);
             if ENERGY {
-                energy += registers.store(found.density * registers.load(&point.pack.weight)).sum();
+                energy += pack_of(registers, found.density * point.weight()).sum();
             }
             let vectors = [f.n1, f.n2, p.d.cross(f.m1), p.d.cross(f.m2), torque, p.x1, p.x2];
             for (k, vector) in vectors.iter().enumerate() {
                 let [x, y, z] = vector.0;
-                let [x, y, z] =
-                    [registers.store(x).lanes(), registers.store(y).lanes(), registers.store(z).lanes()];
+                let [[x], [y], [z]] = [registers.store(x), registers.store(y), registers.store(z)];
                 for lane in 0..LANES {
                     self.resultants[points[lane] as usize][k] = [x[lane], y[lane], z[lane]];
                 }

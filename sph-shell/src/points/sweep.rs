@@ -7,12 +7,13 @@ use shell_kinematics::{
     LANES, Logarithmic, Pack, Pack3, SectionOf, StrainMeasure, StrainsOf, StretchCorrected,
 };
 
+use crate::control::yielding::YieldingControl;
 use crate::dispatch::{Work, widest};
-use crate::gather::Place;
-use crate::packs::{Packs, PointPack, Row};
-use crate::points::point::{Point, PointForces, PointLaw, signed};
+use crate::packs::Row;
+use crate::points::point::{PointForces, PointLaw, Treated, signed};
+use crate::points::ring::{Ring, groups};
 use crate::points::scheme::{Points, Sections};
-use crate::registers::{Baseline, Registers};
+use crate::registers::{Baseline, Registers, in_all};
 
 /// Packs under which a sweep is not split further between threads.
 const PACK_CHUNK: usize = 64;
@@ -45,9 +46,9 @@ impl<'a> Sweep<'a> {
         widest(Leaf { sweep: self, first, slots, energies });
     }
 
-    /// Sweeps some packs of cells into a ring of slots, and for their energies if they are asked for.
+    /// Sweeps some packs of cells into a ring, and for their energies if they are asked for.
     #[inline(always)]
-    pub fn block<R: Registers>(
+    pub fn block<const P: usize, R: Registers<P>>(
         &self,
         registers: R,
         packs: Range<usize>,
@@ -59,17 +60,17 @@ impl<'a> Sweep<'a> {
             Sections::Own(own) => return self.cells_of_sections(own, packs, ring, energies),
             Sections::Stressed(own) => return self.cells_of_sections(own, packs, ring, energies),
             Sections::Remembering(own) => {
-                return self.cells_that_remember(registers, own, packs, ring, energies);
+                return self.cells_that_remember(registers.single(), own, packs, ring, energies);
             }
         }
         if self.energy {
-            self.cells::<true, _, _, _>(Baseline, self.law, packs, ring, energies);
+            self.cells::<true, 1, _, _, _>(Baseline, self.law, packs, ring, energies);
         } else if let Some(law) = self.law.of_pair::<StretchCorrected>() {
-            self.cells::<false, _, _, _>(registers, law, packs, ring, energies);
+            self.cells::<false, P, _, _, _>(registers, law, packs, ring, energies);
         } else if let Some(law) = self.law.of_pair::<Logarithmic>() {
-            self.cells::<false, _, _, _>(registers, law, packs, ring, energies);
+            self.cells::<false, P, _, _, _>(registers, law, packs, ring, energies);
         } else {
-            self.cells::<false, _, _, _>(Baseline, self.law, packs, ring, energies);
+            self.cells::<false, 1, _, _, _>(Baseline, self.law, packs, ring, energies);
         }
     }
 
@@ -91,7 +92,7 @@ impl<'a> Sweep<'a> {
             let energy = std::slice::from_mut(energy);
             match (strain, self.energy) {
                 (Some(strain), false) => {
-                    self.cells::<false, _, _, _>(
+                    self.cells::<false, 1, _, _, _>(
                         Baseline,
                         PointLaw { strain, section, yielding: None },
                         pack,
@@ -101,11 +102,11 @@ impl<'a> Sweep<'a> {
                 }
                 (_, false) => {
                     let law = PointLaw { strain: self.law.strain, section, yielding: None };
-                    self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy);
+                    self.cells::<false, 1, _, _, _>(Baseline, law, pack, ring, energy);
                 }
                 (_, true) => {
                     let law = PointLaw { strain: self.law.strain, section, yielding: None };
-                    self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy);
+                    self.cells::<true, 1, _, _, _>(Baseline, law, pack, ring, energy);
                 }
             }
         }
@@ -124,105 +125,67 @@ impl<'a> Sweep<'a> {
             let law = PointLaw { strain, section: &sections[index], yielding: None };
             let (pack, energy) = (index..index + 1, std::slice::from_mut(energy));
             match self.energy {
-                false => self.cells::<false, _, _, _>(Baseline, law, pack, ring, energy),
-                true => self.cells::<true, _, _, _>(Baseline, law, pack, ring, energy),
+                false => self.cells::<false, 1, _, _, _>(Baseline, law, pack, ring, energy),
+                true => self.cells::<true, 1, _, _, _>(Baseline, law, pack, ring, energy),
             }
         }
     }
 
+    /// Packs of one law: several at once where the registers hold them.
     #[inline(always)]
-    pub(super) fn cells<
-        const ENERGY: bool,
-        R: Registers,
-        M: StrainsOf<R::Four> + ?Sized,
-        S: SectionOf<R::Four> + ?Sized,
-    >(
+    pub(super) fn cells<const ENERGY: bool, const P: usize, R, M, S>(
         &self,
         registers: R,
         law: PointLaw<'_, M, S>,
         packs: Range<usize>,
         ring: &mut Ring,
         energies: &mut [f64],
-    ) {
-        for (index, energy) in packs.zip(energies) {
-            let point = self.points.point(index).treated_in(registers);
-            let own = &mut ring.of(index)[..point.place.slot_count()];
-            let found = sweep_pack::<true, ENERGY, _, M, S>(&point, law, self.state, own);
-            if ENERGY {
-                *energy = found;
+    ) where
+        R: Registers<P>,
+        M: StrainsOf<R::Numbers> + StrainsOf<<R::Single as Registers>::Numbers> + ?Sized,
+        S: SectionOf<R::Numbers> + SectionOf<<R::Single as Registers>::Numbers> + ?Sized,
+    {
+        let mut pack = packs.start;
+        while pack < packs.end {
+            if P > 1 && pack + P <= packs.end && ring.begins(pack, P) {
+                let points = Treated { registers, of: self.points.several(pack) };
+                if points.are_alike() {
+                    sweep_packs::<true, false, P, _, M, S>(&points, law, self.state, ring.of(pack, P));
+                    pack += P;
+                    continue;
+                }
             }
+            let points = self.points.point(pack).treated_in(registers.single());
+            let found = sweep_packs::<true, ENERGY, 1, _, M, S>(&points, law, self.state, ring.of(pack, 1));
+            if ENERGY {
+                energies[pack - packs.start] = found;
+            }
+            pack += 1;
         }
     }
 
     #[inline(always)]
-    fn range<
-        const ENERGY: bool,
-        R: Registers,
-        M: StrainsOf<R::Four> + ?Sized,
-        S: SectionOf<R::Four> + ?Sized,
-    >(
+    fn range<const ENERGY: bool, R: Registers, M, S>(
         &self,
         registers: R,
         law: PointLaw<'_, M, S>,
         first: usize,
         mut slots: &mut [Row],
         energies: &mut [f64],
-    ) {
+    ) where
+        M: StrainsOf<R::Numbers> + ?Sized,
+        S: SectionOf<R::Numbers> + ?Sized,
+    {
         for (i, energy) in energies.iter_mut().enumerate() {
-            let point = self.points.point(first + i).treated_in(registers);
+            let point = self.points.point(first + i);
             let (own, rest) = slots.split_at_mut(point.place.slot_count());
-            let found = sweep_pack::<false, ENERGY, _, M, S>(&point, law, self.state, own);
+            let points = point.treated_in(registers);
+            let found = sweep_packs::<false, ENERGY, 1, _, M, S>(&points, law, self.state, groups(own));
             if ENERGY {
                 *energy = found;
             }
             slots = rest;
         }
-    }
-}
-
-/// Slots of the packs under way: room for a number of packs that is a power of two, and a slot of zeros behind.
-#[derive(Clone, Debug)]
-pub(crate) struct Ring {
-    rows: Vec<Row>,
-    /// Slots of the widest pack.
-    stride: usize,
-    /// Packs less one.
-    mask: usize,
-}
-
-impl Ring {
-    /// Space for at least so many packs.
-    pub fn new(packs: &Packs, room: usize) -> Self {
-        let stride = packs.points.iter().map(PointPack::slot_count).max().unwrap_or(0);
-        let room = room.next_power_of_two();
-        Self { rows: vec![[0.0; 6]; room * stride + 1], stride, mask: room - 1 }
-    }
-
-    /// The slot of a place.
-    pub fn slot(&self, (pack, entry, lane): Place) -> usize {
-        (pack as usize & self.mask) * self.stride + usize::from(entry) * LANES + usize::from(lane)
-    }
-
-    /// The slot of zeros.
-    pub fn zero(&self) -> usize {
-        self.rows.len() - 1
-    }
-
-    /// All slots.
-    pub fn rows(&self) -> &[Row] {
-        &self.rows
-    }
-
-    /// The slots of a pack.
-    #[inline(always)]
-    fn of(&mut self, pack: usize) -> &mut [Row] {
-        let first = (pack & self.mask) * self.stride;
-        &mut self.rows[first..first + self.stride]
-    }
-
-    /// Bytes of the ring.
-    pub fn bytes(&self) -> usize {
-        size_of_val(&self.rows[..])
     }
 }
 
@@ -248,24 +211,22 @@ impl Work for Leaf<'_, '_> {
     }
 }
 
-/// One pack: reads its particles, writes its slots, returns its energy \[F L\] if `ENERGY`.
+/// Some packs: reads their particles, writes their slots, returns their energy \[F L\] if `ENERGY`.
 #[inline(always)]
-fn sweep_pack<
-    const CELL: bool,
-    const ENERGY: bool,
-    R: Registers,
-    M: StrainsOf<R::Four> + ?Sized,
-    S: SectionOf<R::Four> + ?Sized,
->(
-    point: &Point<'_, R>,
+fn sweep_packs<const CELL: bool, const ENERGY: bool, const P: usize, R: Registers<P>, M, S>(
+    points: &Treated<'_, R, P>,
     law: PointLaw<'_, M, S>,
     state: &[Row],
-    slots: &mut [Row],
-) -> f64 {
-    let registers = point.registers;
-    let now = point.strained::<CELL, M>(law.strain, state);
-    let PointForces { on_vectors: mut f, density, released } = point.forces::<ENERGY, M, S>(law, &now);
-    let w = registers.load(&point.pack.weight);
+    slots: &mut [[Row; LANES]],
+) -> f64
+where
+    M: StrainsOf<R::Numbers> + ?Sized,
+    S: SectionOf<R::Numbers> + ?Sized,
+{
+    let registers = points.registers;
+    let now = points.strained::<CELL, M>(law.strain, state);
+    let PointForces { on_vectors: mut f, density, released } = points.forces::<ENERGY, M, S>(law, &now);
+    let w = points.weight();
     f.n1 = f.n1 * w;
     f.n2 = f.n2 * w;
     f.q = f.q * w;
@@ -278,7 +239,8 @@ fn sweep_pack<
         let (pulls, more) = match law.yielding {
             None => cell.pulls(state, released),
             Some(own) => {
-                let (mut pulls, work) = own.load(registers).pulls(cell.stiffnesses(), state.components());
+                let own = YieldingControl::load([own; P], registers);
+                let (mut pulls, work) = own.pulls(cell.stiffnesses(), state.components());
                 let [more, again] = state.pulled_by_scale(released);
                 pulls[3] += more;
                 pulls[4] += again;
@@ -291,9 +253,10 @@ fn sweep_pack<
     }
     // The base takes what is left: positions by Σ G = 0, directors by Σ φ = 1 and Σ G = 0.
     let mut base = [zero, f.q];
-    let (base_slots, slots) = slots.split_at_mut(LANES);
-    for ((k, entry), slots) in point.entries.iter().enumerate().zip(slots.chunks_exact_mut(LANES)) {
-        let [phi, g1, g2] = entry.load(registers);
+    let (width, stride) = (points.width(), slots.len() / P);
+    let (entries, slots) = (points.entries(width), &mut slots[..(P - 1) * stride + width + 1]);
+    for k in 0..width {
+        let [phi, g1, g2] = points.numbers(in_all(entries, |of| &of[k]));
         let mut on_x = f.n1 * g1 + f.n2 * g2;
         let mut on_d = f.q * phi + f.m1 * g1 + f.m2 * g2;
         if CELL {
@@ -301,40 +264,64 @@ fn sweep_pack<
             on_d = signed(k, on_d, pattern[1]);
         }
         base = [base[0] - on_x, base[1] - on_d];
-        store(registers, slots, on_x, on_d);
+        store(registers, slots, (1 + k, stride), on_x, on_d);
     }
-    store(registers, base_slots, base[0], base[1]);
-    if ENERGY { registers.store(energy).sum() } else { 0.0 }
+    store(registers, slots, (0, stride), base[0], base[1]);
+    if ENERGY { registers.store(energy).as_flattened().iter().sum() } else { 0.0 }
 }
 
-/// Forces and couples of four points on a particle of each, into four slots.
+/// Forces and couples of the points on a particle of each, into slots of an entry; those of the packs are a stride apart.
 #[inline(always)]
-fn store<R: Registers>(registers: R, slots: &mut [Row], f: Pack3<R::Four>, t: Pack3<R::Four>) {
+fn store<const P: usize, R: Registers<P>>(
+    registers: R,
+    slots: &mut [[Row; LANES]],
+    (entry, stride): (usize, usize),
+    f: Pack3<R::Numbers>,
+    t: Pack3<R::Numbers>,
+) {
     let ([x, y, z], [u, v, w]) = (f.0, t.0);
-    slots.copy_from_slice(&registers.rows([x, y, z, u, v, w]));
+    let rows = registers.rows([x, y, z, u, v, w]);
+    for part in 0..P {
+        slots[part * stride + entry] = rows[part];
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use shell_kinematics::{Isotropic, IsotropicSection, Section, StrainMeasure, StretchCorrected};
-    use sph_core::{Cylinder, EndWeights, lattice};
+    use sph_core::{Cell, Cloud, Cylinder, EndWeights, jittered_lattice, lattice};
 
     use super::*;
-    use crate::dispatch::fullest;
+    use crate::dispatch::{Narrow, WideWork, fullest};
     use crate::formulation::{Formulation, Reach};
     use crate::reference::Reference;
     use crate::regions::Scales;
 
-    /// The copies for this machine, the baseline copy, and the copy for any pair give the same bits.
+    /// The copies for this machine, the baseline copy, and the copy for any pair give the same bits: on a lattice, on uneven cells, and where triangles and
+    /// quadrangles lie side by side.
     #[test]
     fn all_copies_of_the_sweep_agree_to_the_last_bit() {
-        agree(&StretchCorrected);
-        agree(&Logarithmic);
+        let patch = Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 };
+        let even = lattice(&patch, [7, 6], EndWeights::Trapezoid).unwrap();
+        let uneven = jittered_lattice(&patch, [9, 7], 0.25, 3).unwrap();
+        let halves = |(number, cell): (usize, &Cell)| {
+            let [a, b, c, d] = cell.corners;
+            if number % 7 == 3 {
+                vec![Cell::triangle([a, b, c]), Cell::triangle([a, c, d])]
+            } else {
+                vec![*cell]
+            }
+        };
+        let cells = even.cells.iter().enumerate().flat_map(halves).collect();
+        let normals = even.frames.iter().map(|frame| frame.n).collect();
+        let cut = Cloud::from_cells(even.positions.clone(), Some(normals), cells).unwrap();
+        for cloud in [even, uneven, cut] {
+            agree(&StretchCorrected, cloud.clone());
+            agree(&Logarithmic, cloud);
+        }
     }
 
-    fn agree<M: StrainMeasure + StrainsOf<Pack>>(strain: &M) {
-        let patch = Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 };
-        let cloud = lattice(&patch, [7, 6], EndWeights::Trapezoid).unwrap();
+    fn agree<M: StrainMeasure + StrainsOf<Pack>>(strain: &M, cloud: Cloud) {
         let section = IsotropicSection::new(Isotropic::new(10.0, 0.3).unwrap(), 0.1).unwrap();
         let (formulation, scales) = (Formulation::StressPoint(Reach::Cell), section.scales());
         let reference = Reference::new(cloud, &formulation, &scales, 1.0, None).unwrap();
@@ -355,18 +342,18 @@ mod tests {
         let count = points.packs.points.len();
         let mut energies = vec![0.0; count];
         let mut run = |how: &dyn Fn(&mut Ring, &mut [f64])| {
-            let mut ring = Ring::new(&points.packs, count);
+            let mut ring = Ring::new(&points.packs, 0, count);
             how(&mut ring, &mut energies);
             ring.rows().iter().flatten().map(|value| value.to_bits()).collect::<Vec<_>>()
         };
-        let here = run(&|ring, energies| widest(Cells { sweep, ring, energies }));
+        let here = run(&|ring, energies| widest(Narrow(Cells { sweep, ring, energies })));
         let fullest = run(&|ring, energies| fullest(Cells { sweep, ring, energies }));
         let static_law = PointLaw { strain, section: &section, yielding: None };
         let baseline = run(&|ring, energies| {
-            sweep.cells::<false, _, _, _>(Baseline, static_law, 0..count, ring, energies)
+            sweep.cells::<false, 1, _, _, _>(Baseline, static_law, 0..count, ring, energies)
         });
         let any =
-            run(&|ring, energies| sweep.cells::<false, _, _, _>(Baseline, law, 0..count, ring, energies));
+            run(&|ring, energies| sweep.cells::<false, 1, _, _, _>(Baseline, law, 0..count, ring, energies));
         assert!(here == baseline && here == fullest && here == any);
         assert!(here.iter().any(|&bits| f64::from_bits(bits) != 0.0));
     }
@@ -378,10 +365,10 @@ mod tests {
         energies: &'b mut [f64],
     }
 
-    impl Work for Cells<'_, '_> {
+    impl WideWork for Cells<'_, '_> {
         type Output = ();
 
-        fn run<R: Registers>(self, registers: R) {
+        fn run<const P: usize, R: Registers<P>>(self, registers: R) {
             self.sweep.block(registers, 0..self.energies.len(), self.ring, self.energies);
         }
     }

@@ -124,10 +124,10 @@ impl Assembly<'_> {
     ) -> PointTangent {
         let pack = point.pack;
         let PointState { placement: p, measures: now, strains, mut control } =
-            point.strained::<true, M>(law.strain, &self.shell.motion.state);
+            point.treated().strained::<true, M>(law.strain, &self.shell.motion.state);
         let mut stress = law.section.resultants(&strains);
         if let Some(state) = self.stressed {
-            let there = point.strained::<true, M>(law.strain, state);
+            let there = point.treated().strained::<true, M>(law.strain, state);
             stress = law.section.resultants(&there.strains);
             if let (Some((_, here)), Some((_, there))) = (&mut control, &there.control) {
                 here.pull_as(there);

@@ -13,11 +13,12 @@ use std::ops::Range;
 use explicit_dynamics::Work;
 use shell_kinematics::LANES;
 
-use crate::dispatch::{Work as Sweeping, fullest};
+use crate::dispatch::{WideWork, fullest};
 use crate::gather::{Gather, Places};
 use crate::packs::{Packs, Row};
-use crate::points::sweep::{Ring, Sweep};
-use crate::registers::Registers;
+use crate::points::ring::Ring;
+use crate::points::sweep::Sweep;
+use crate::registers::{Fours, Registers};
 use crate::time::particle::{Rows, Slots, Update};
 
 /// Packs swept before the particles they complete are moved on: 64 points.
@@ -55,7 +56,13 @@ trait Task: Sized + Send {
     fn split(self, at: usize) -> (Self, Self);
 
     /// Takes a range of particles, whose forces lie in `slots`; `first` is the first of all.
-    fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>);
+    fn take<const P: usize, R: Registers<P>>(
+        &mut self,
+        registers: R,
+        particles: Range<usize>,
+        first: usize,
+        slots: Slots<'_>,
+    );
 }
 
 /// Particles are moved, with the work of every chunk.
@@ -159,7 +166,7 @@ impl Part {
         for b in 1..blocks {
             ready[b] = ready[b].max(ready[b - 1]);
         }
-        let ring = Ring::new(packs, longest);
+        let ring = Ring::new(packs, first, longest);
         let lists = Gather::new(places, particles.clone(), |place| ring.slot(place), ring.zero());
         Self { particles, packs: first..end, ready, ring, lists, energies: vec![0.0; end - first] }
     }
@@ -193,11 +200,11 @@ struct Points<'a, 'b> {
     energies: &'b mut [f64],
 }
 
-impl Sweeping for Points<'_, '_> {
+impl WideWork for Points<'_, '_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<R: Registers>(self, registers: R) {
+    fn run<const P: usize, R: Registers<P>>(self, registers: R) {
         self.sweep.block(registers, self.packs, self.ring, self.energies);
     }
 }
@@ -210,11 +217,11 @@ struct Particles<'b, T> {
     slots: Slots<'b>,
 }
 
-impl<T: Task> Sweeping for Particles<'_, T> {
+impl<T: Task> WideWork for Particles<'_, T> {
     type Output = ();
 
     #[inline(always)]
-    fn run<R: Registers>(self, registers: R) {
+    fn run<const P: usize, R: Registers<P>>(self, registers: R) {
         self.task.take(registers, self.particles, self.first, self.slots);
     }
 }
@@ -231,14 +238,20 @@ impl Task for Move<'_> {
     }
 
     #[inline(always)]
-    fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>) {
+    fn take<const P: usize, R: Registers<P>>(
+        &mut self,
+        registers: R,
+        particles: Range<usize>,
+        first: usize,
+        slots: Slots<'_>,
+    ) {
         let own = particles.start - first..particles.end - first;
         let rows = Rows {
             state: self.rows.state,
             next: &mut self.rows.next[own.clone()],
             rates: &mut self.rows.rates[own],
         };
-        self.update.run::<true, R>(registers, particles, first, rows, Some(slots), self.work);
+        self.update.run::<true, P, R>(registers, particles, first, rows, Some(slots), self.work);
     }
 }
 
@@ -249,13 +262,20 @@ impl Task for Keep<'_> {
     }
 
     #[inline(always)]
-    fn take<R: Registers>(&mut self, registers: R, particles: Range<usize>, first: usize, slots: Slots<'_>) {
+    fn take<const P: usize, R: Registers<P>>(
+        &mut self,
+        registers: R,
+        particles: Range<usize>,
+        first: usize,
+        slots: Slots<'_>,
+    ) {
         let own = particles.start - first..particles.end - first;
+        let registers = registers.single();
         let zeros = [[registers.splat(0.0); 2]; LANES];
         for (i, forces) in self.0[own].chunks_mut(LANES).enumerate() {
             let group = (particles.start - first) / LANES + i;
             let sums = slots.lists.add(registers, group, slots.rows, zeros);
-            let sums = registers.rows(registers.turned(sums));
+            let [sums] = registers.rows(registers.turned(sums));
             forces.copy_from_slice(&sums[..forces.len()]);
         }
     }

@@ -41,7 +41,7 @@ impl<const DRIFT: bool> Sweeping for Chunk<'_, '_, DRIFT> {
         let Self { update, slots, first, rows, work } = self;
         let range = first..first + rows.rates.len();
         *work = Work::default();
-        update.run::<DRIFT, R>(registers, range, first, rows, slots, std::slice::from_mut(work));
+        update.run::<DRIFT, 1, R>(registers, range, first, rows, slots, std::slice::from_mut(work));
     }
 }
 

@@ -1,4 +1,4 @@
-//! The step of four particles: gather forces, kick, hold what is held, book the work, drift.
+//! The step of some particles: gather forces, kick, hold what is held, book the work, drift.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use crate::conditions::prescribed_at::Prescribed;
 use crate::conditions::supports::Constraint;
 use crate::gather::Gather;
 use crate::packs::Row;
-use crate::registers::{Baseline, Registers, columns, four_of};
+use crate::registers::{Baseline, Fours, Groups, Registers, columns, four_of};
 
 /// Slots of forces, and where in them the forces on the particles from number `first` on lie.
 #[derive(Clone, Copy)]
@@ -42,28 +42,51 @@ pub(crate) struct Rows<'a> {
     pub rates: &'a mut [Row],
 }
 
-/// What the step of four particles reads; the lanes from `count` on count for nothing.
+/// What the step of some particles reads; the lanes from `count` on count for nothing.
 #[derive(Clone, Copy)]
-struct Four<'a> {
+struct Group<'a, const P: usize> {
     /// Number of the first.
     a: usize,
     count: usize,
-    rows: &'a [Row; LANES],
-    rates: &'a [Row; LANES],
-    external: &'a [Row; LANES],
-    masses: &'a [f64; LANES],
-    inertias: &'a [f64; LANES],
-    held: &'a [u32; LANES],
+    rows: &'a [[Row; LANES]; P],
+    rates: &'a [[Row; LANES]; P],
+    external: &'a [[Row; LANES]; P],
+    masses: &'a [[f64; LANES]; P],
+    inertias: &'a [[f64; LANES]; P],
+    held: &'a [[u32; LANES]; P],
+}
+
+/// The internal forces on the particles from number `a` on.
+struct Internal<'a> {
+    direct: &'a [Row],
+    slots: Option<Slots<'a>>,
+    a: usize,
+}
+
+impl Groups for Internal<'_> {
+    #[inline(always)]
+    fn sums<R: Fours>(&self, registers: R, group: usize) -> [[R::Numbers; 2]; LANES] {
+        let a = self.a + group * LANES;
+        let mut sums = [[registers.splat(0.0); 2]; LANES];
+        if !self.direct.is_empty() {
+            let [i, j, k, l] = four_of(self.direct, a);
+            sums = [registers.halves(&i), registers.halves(&j), registers.halves(&k), registers.halves(&l)];
+        }
+        if let Some(Slots { rows, lists, first }) = self.slots {
+            sums = lists.add(registers, (a - first) / LANES, rows, sums);
+        }
+        sums
+    }
 }
 
 /// Four particles that no load touches.
-const ZEROS: [Row; LANES] = [[0.0; 6]; LANES];
+const UNLOADED: [Row; LANES] = [[0.0; 6]; LANES];
 
 impl Update<'_> {
     /// Kicks the particles of `range`, which `rates` holds, by their forces, and with `DRIFT` moves them from their rows
     /// in `state` into `next`. Chunks of `work` count from particle `first` on.
     #[inline(always)]
-    pub fn run<const DRIFT: bool, R: Registers>(
+    pub fn run<const DRIFT: bool, const P: usize, R: Registers<P>>(
         &self,
         registers: R,
         range: Range<usize>,
@@ -73,46 +96,85 @@ impl Update<'_> {
         work: &mut [Work],
     ) {
         if self.external.is_empty() {
-            self.groups::<DRIFT, false, R>(registers, range, first, rows, slots, work);
+            self.groups::<DRIFT, false, P, R>(registers, range, first, rows, slots, work);
         } else {
-            self.groups::<DRIFT, true, R>(registers, range, first, rows, slots, work);
+            self.groups::<DRIFT, true, P, R>(registers, range, first, rows, slots, work);
         }
     }
 
+    /// Four where a chunk of work would not begin with several, several as far as they go, four, and what is left.
     #[inline(always)]
-    fn groups<const DRIFT: bool, const LOADED: bool, R: Registers>(
+    fn groups<const DRIFT: bool, const LOADED: bool, const P: usize, R: Registers<P>>(
         &self,
         registers: R,
         range: Range<usize>,
         first: usize,
-        rows: Rows<'_>,
+        mut rows: Rows<'_>,
         slots: Option<Slots<'_>>,
         work: &mut [Work],
     ) {
-        let Rows { state, next, rates } = rows;
-        let (rows, rest) = state[range.clone()].as_chunks::<LANES>();
-        let (rates, rest_rates) = rates.as_chunks_mut::<LANES>();
-        let (next, rest_next) = next.as_chunks_mut::<LANES>();
-        let masses = self.masses[range.clone()].as_chunks::<LANES>().0;
-        let inertias = self.inertias[range.clone()].as_chunks::<LANES>().0;
-        let held = self.constraint_of[range.clone()].as_chunks::<LANES>().0;
+        let mut a = range.start;
+        if P > 1 {
+            let before = (P - (a - first) / LANES % P) % P * LANES;
+            let fours = a..(a + before).min(range.end);
+            (a, rows) =
+                self.whole::<DRIFT, LOADED, 1, _>(registers.single(), fours, first, rows, slots, work);
+            (a, rows) = self.whole::<DRIFT, LOADED, P, _>(registers, a..range.end, first, rows, slots, work);
+        }
+        (a, rows) =
+            self.whole::<DRIFT, LOADED, 1, _>(registers.single(), a..range.end, first, rows, slots, work);
+        if a < range.end {
+            let Rows { state, next, rates } = rows;
+            self.rest::<DRIFT, LOADED>(
+                a,
+                state,
+                rates,
+                next,
+                slots,
+                &mut work[(a - first) / parallel::CHUNK],
+            );
+        }
+    }
+
+    /// The whole groups of a range; returns where they end, and the rows from there on.
+    #[inline(always)]
+    fn whole<'a, const DRIFT: bool, const LOADED: bool, const P: usize, R: Registers<P>>(
+        &self,
+        registers: R,
+        range: Range<usize>,
+        first: usize,
+        Rows { state, next, rates }: Rows<'a>,
+        slots: Option<Slots<'_>>,
+        work: &mut [Work],
+    ) -> (usize, Rows<'a>) {
+        let (rates, rest_rates) = rates.split_at_mut(range.len() / (P * LANES) * (P * LANES));
+        let (next, rest_next) = next.split_at_mut(if DRIFT { rates.len() } else { 0 });
+        let range = range.start..range.start + rates.len();
+        let rates = rates.as_chunks_mut::<LANES>().0.as_chunks_mut::<P>().0;
+        let next = next.as_chunks_mut::<LANES>().0.as_chunks_mut::<P>().0;
+        let rows = state[range.clone()].as_chunks::<LANES>().0.as_chunks::<P>().0;
+        let masses = self.masses[range.clone()].as_chunks::<LANES>().0.as_chunks::<P>().0;
+        let inertias = self.inertias[range.clone()].as_chunks::<LANES>().0.as_chunks::<P>().0;
+        let held = self.constraint_of[range.clone()].as_chunks::<LANES>().0.as_chunks::<P>().0;
         let groups = rows.iter().zip(rates).zip(masses).zip(inertias).zip(held).enumerate();
         for (i, ((((rows, rates), masses), inertias), held)) in groups {
-            let a = range.start + LANES * i;
-            let external = if LOADED { &four_of(self.external, a) } else { &ZEROS };
-            let four = Four { a, count: LANES, rows, rates, external, masses, inertias, held };
+            let a = range.start + P * LANES * i;
+            let mut external = [UNLOADED; P];
+            if LOADED {
+                for part in 0..P {
+                    external[part] = four_of(self.external, a + part * LANES);
+                }
+            }
+            let group =
+                Group { a, count: P * LANES, rows, rates, external: &external, masses, inertias, held };
             let tally = &mut work[(a - first) / parallel::CHUNK];
-            let [places, kicked] = self.four::<DRIFT, LOADED, R>(registers, four, slots, tally);
+            let [places, kicked] = self.group::<DRIFT, LOADED, P, R>(registers, group, slots, tally);
             if DRIFT {
                 next[i] = places;
             }
             *rates = kicked;
         }
-        if !rest.is_empty() {
-            let a = range.end - rest.len();
-            let tally = &mut work[(a - first) / parallel::CHUNK];
-            self.rest::<DRIFT, LOADED>(a, state, rest_rates, rest_next, slots, tally);
-        }
+        (range.end, Rows { state, next: rest_next, rates: rest_rates })
     }
 
     /// The last particles of all, if they are fewer than four: the lanes beyond repeat the last one.
@@ -127,57 +189,49 @@ impl Update<'_> {
         slots: Option<Slots<'_>>,
         work: &mut Work,
     ) {
-        let four = Four {
+        let group = Group {
             a,
             count: rates.len(),
-            rows: &four_of(state, a),
-            rates: &four_of(rates, 0),
-            external: &if LOADED { four_of(self.external, a) } else { ZEROS },
-            masses: &four_of(self.masses, a),
-            inertias: &four_of(self.inertias, a),
-            held: &four_of(self.constraint_of, a),
+            rows: &[four_of(state, a)],
+            rates: &[four_of(rates, 0)],
+            external: &[if LOADED { four_of(self.external, a) } else { UNLOADED }],
+            masses: &[four_of(self.masses, a)],
+            inertias: &[four_of(self.inertias, a)],
+            held: &[four_of(self.constraint_of, a)],
         };
-        let [places, kicked] = self.four::<DRIFT, LOADED, _>(Baseline, four, slots, work);
+        let [[places], [kicked]] = self.group::<DRIFT, LOADED, 1, _>(Baseline, group, slots, work);
         if DRIFT {
             next.copy_from_slice(&places[..next.len()]);
         }
         rates.copy_from_slice(&kicked[..rates.len()]);
     }
 
-    /// `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)` of four particles, and with `DRIFT` their motion; returns their new rows and
+    /// `v ← [v(1 − ½cκ) + κ f/m]/(1 + ½cκ)` of some particles, and with `DRIFT` their motion; returns their new rows and
     /// rates.
     ///
     /// Kinetic energy and external work are added to `work`, particle by particle; what damping takes is `2cκ` times the
     /// former.
     #[inline(always)]
-    fn four<const DRIFT: bool, const LOADED: bool, R: Registers>(
+    fn group<const DRIFT: bool, const LOADED: bool, const P: usize, R: Registers<P>>(
         &self,
         registers: R,
-        four: Four<'_>,
+        group: Group<'_, P>,
         slots: Option<Slots<'_>>,
         work: &mut Work,
-    ) -> [[Row; LANES]; 2] {
-        let Four { a, count, rows, rates, held, .. } = four;
+    ) -> [[[Row; LANES]; P]; 2] {
+        let Group { a, count, rows, rates, held, .. } = group;
         let kick = self.step.kick;
         let Decay { before, after } = self.decay;
-        let mut sums = [[registers.splat(0.0); 2]; LANES];
-        if !self.direct.is_empty() {
-            let [i, j, k, l] = four_of(self.direct, a);
-            sums = [registers.halves(&i), registers.halves(&j), registers.halves(&k), registers.halves(&l)];
-        }
-        if let Some(Slots { rows, lists, first }) = slots {
-            sums = lists.add(registers, (a - first) / LANES, rows, sums);
-        }
-        let mut f = registers.turned(sums);
+        let mut f = registers.gathered(Internal { direct: self.direct, slots, a });
         let mut external = [registers.splat(0.0); 6];
         if LOADED {
-            external = columns(registers, four.external);
+            external = columns(registers, group.external);
         }
         for k in 0..6 {
             f[k] = external[k] - f[k];
         }
         let (row, old) = (columns(registers, rows), columns(registers, rates));
-        let (m, inertia) = (registers.four(four.masses), registers.four(four.inertias));
+        let (m, inertia) = (registers.read(group.masses), registers.read(group.inertias));
         let kicked = registers.splat(kick);
         let (to_v, to_w) = (kicked / m, kicked / inertia);
         // The director feels the part of its force across itself.
@@ -187,10 +241,12 @@ impl Update<'_> {
             new[k] = (old[k] * before + to_v * f[k]) * after;
             new[3 + k] = (old[3 + k] * before + to_w * (f[3 + k] - along * row[3 + k])) * after;
         }
-        let mut prescribed = [false; LANES];
-        if *held != [0; LANES] {
+        let mut prescribed = [[false; LANES]; P];
+        if *held != [[0; LANES]; P] {
             let mut moved = registers.rows(new);
-            prescribed = self.hold_four(held, rows, &mut moved);
+            for part in 0..P {
+                prescribed[part] = self.hold_four(&held[part], &rows[part], &mut moved[part]);
+            }
             new = columns(registers, &moved);
         }
         let mut mean = new;
@@ -199,9 +255,9 @@ impl Update<'_> {
         }
         let square = mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2];
         let turning = mean[3] * mean[3] + mean[4] * mean[4] + mean[5] * mean[5];
-        let kinetic = registers.store((m * square + inertia * turning) * 0.5).lanes();
+        let kinetic = registers.store((m * square + inertia * turning) * 0.5);
         // What the energy at this instant has too much is asked for where it is recorded, between a kick and a drift.
-        let [mut changes, mut resisted] = [[0.0; LANES]; 2];
+        let [mut changes, mut resisted] = [[[0.0; LANES]; P]; 2];
         if !DRIFT {
             let zero = registers.splat(0.0);
             let [mut moved, mut turned, mut along] = [zero; 3];
@@ -211,8 +267,8 @@ impl Update<'_> {
                 turned += w * w;
                 along = along + (external[k] - f[k]) * v + (external[3 + k] - f[3 + k]) * w;
             }
-            changes = registers.store((m * moved + inertia * turned) * 0.5).lanes();
-            resisted = registers.store(kicked * along).lanes();
+            changes = registers.store((m * moved + inertia * turned) * 0.5);
+            resisted = registers.store(kicked * along);
         }
         let mut done = mean;
         if LOADED {
@@ -222,20 +278,21 @@ impl Update<'_> {
         }
         let done = registers.rows(done);
         for lane in 0..count {
-            work.kinetic += kinetic[lane];
+            work.kinetic += kinetic.as_flattened()[lane];
             if !DRIFT {
-                work.change += changes[lane];
-                work.resisted += resisted[lane];
+                work.change += changes.as_flattened()[lane];
+                work.resisted += resisted.as_flattened()[lane];
             }
             if LOADED {
                 for k in 0..6 {
-                    work.external += done[lane][k];
+                    work.external += done.as_flattened()[lane][k];
                 }
             }
-            if prescribed[lane] {
+            if prescribed.as_flattened()[lane] {
                 let [f, old, new] = [registers.rows(f), registers.rows(old), registers.rows(new)];
-                let rates = [old[lane], new[lane]];
-                work.external = self.with_reported_work(a + lane, work.external, rows[lane], f[lane], rates);
+                let [f, old, new] = [&f, &old, &new].map(|rows| rows.as_flattened()[lane]);
+                let row = rows.as_flattened()[lane];
+                work.external = self.with_reported_work(a + lane, work.external, row, f, [old, new]);
             }
         }
         if !DRIFT {
