@@ -46,7 +46,7 @@ impl Ring {
     /// The first slot of a pack.
     #[inline(always)]
     fn place(&self, pack: usize) -> usize {
-        (pack - self.first & self.mask) * self.stride
+        ((pack - self.first) & self.mask) * self.stride
     }
 
     /// Whether this is the first of `count` packs whose slots are not parted by the end of the ring.
