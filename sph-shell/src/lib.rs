@@ -13,9 +13,8 @@
 //! | where the forces on a particle lie, the transpose of the stencils | `gather.rs` |
 //! | the registers of a processor, which copy of a sweep runs | `registers.rs`, `eights.rs`; `dispatch.rs` |
 //! | the sweep over all points, into slots, which lie in a ring | `points/sweep.rs`; `points/ring.rs` |
-//! | what each formulation does beside its strains | `points/scheme.rs` |
 //! | stresses of the unstrained shell; heat | `initial_stress.rs`, [`ShellBuilder::stresses`]; `heat.rs`, [`ShellBuilder::temperatures`] |
-//! | the paper's eqs. 4, 8, 9 to the letter | `points/strong_form.rs` |
+//! | what each formulation does beside its strains; the paper's eqs. 4, 8, 9 to the letter | `points/scheme.rs`; `points/strong_form.rs` |
 //! | strains and resultants, to be read; the range of the model | `points/results.rs`, [`Shell::point_results`]; `points/bounds.rs` |
 //! | zero-energy control; strains of uneven cells | `control/cells.rs`, `control/pairs.rs`; `control/arcs.rs`, `control/shear.rs` |
 //! | what a clamp does; loads with their stiffness; load cases | `conditions/supports.rs`; `conditions/loads.rs` and its neighbours; `conditions/case.rs` |
@@ -24,8 +23,7 @@
 //! | several march it: what each owns, sends, adds up | `sharing.rs`, [`Shell::share`]; `time/share.rs`; loads on a share: `conditions/on_share.rs` |
 //! | sheets that meet along a line, tied | `junction/`, [`Shell::tied`] |
 //! | edges that hang on sheets whose particles stand elsewhere | `ties/`, [`ShellBuilder::ties`] |
-//! | points that a fluid wets, and the way of its forces | `wetted/`, [`ShellBuilder::wetted`] |
-//! | bars along lines of particles | `stiffeners/`, [`ShellBuilder::stiffeners`] |
+//! | points that a fluid wets, and the way of its forces; bars along lines of particles | `wetted/`, [`ShellBuilder::wetted`]; `stiffeners/`, [`ShellBuilder::stiffeners`] |
 //! | the tangent, of the energy and of the loads | `statics/stiffness.rs`, `statics/load_stiffness.rs`, [`StaticShell`] |
 //!
 //! A plate stretched by a tenth stores what its membrane stiffness says, and its edge bears the force:
