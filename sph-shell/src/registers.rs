@@ -70,7 +70,7 @@ pub(crate) trait Groups {
     fn sums<R: Fours>(&self, registers: R, group: usize) -> [[R::Numbers; 2]; LANES];
 }
 
-/// One thing of each pack. It is a loop, since what [`array::map`] leaves is more than that.
+/// One thing of each pack; in a loop, since closures handed on to a library's function need not be compiled for the registers.
 #[inline(always)]
 pub(crate) fn in_all<T: Copy, U: Copy, const P: usize>(packs: [T; P], thing: impl Fn(T) -> U) -> [U; P] {
     let mut all = [thing(packs[0]); P];

@@ -134,12 +134,8 @@ impl<'a> Point<'a> {
 impl<'a, R: Registers<P>, const P: usize> Treated<'a, R, P> {
     /// One thing of each pack.
     #[inline(always)]
-    pub fn each<T>(&self, thing: impl Fn(&Point<'a>) -> &'a T) -> [&'a T; P] {
-        let mut all = [thing(&self.of[0]); P];
-        for i in 1..P {
-            all[i] = thing(&self.of[i]);
-        }
-        all
+    fn each<T: ?Sized>(&self, thing: impl Fn(Point<'a>) -> &'a T) -> [&'a T; P] {
+        in_all(self.of, thing)
     }
 
     /// One thing of each pack, if all have it.
@@ -175,21 +171,13 @@ impl<'a, R: Registers<P>, const P: usize> Treated<'a, R, P> {
     /// The entries of each pack, as many as are asked for: what is read of them in a loop up to there is not checked again.
     #[inline(always)]
     pub fn entries(&self, width: usize) -> [&'a [Entry]; P] {
-        let mut all = [&self.of[0].entries[..width]; P];
-        for i in 1..P {
-            all[i] = &self.of[i].entries[..width];
-        }
-        all
+        self.each(|point| &point.entries[..width])
     }
 
     /// The particles of the entries of each pack.
     #[inline(always)]
     fn particles(&self, width: usize) -> [&'a [[u32; LANES]]; P] {
-        let mut all = [&self.of[0].particles[..width]; P];
-        for i in 1..P {
-            all[i] = &self.of[i].particles[..width];
-        }
-        all
+        self.each(|point| &point.particles[..width])
     }
 
     /// φ, G₁ and G₂ of an entry of each pack.

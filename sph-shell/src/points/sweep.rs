@@ -147,7 +147,7 @@ impl<'a> Sweep<'a> {
     {
         let mut pack = packs.start;
         while pack < packs.end {
-            if P > 1 && pack + P <= packs.end && ring.begins(pack, P) {
+            if P > 1 && !ENERGY && pack + P <= packs.end && ring.begins(pack, P) {
                 let points = Treated { registers, of: self.points.several(pack) };
                 if points.are_alike() {
                     sweep_packs::<true, false, P, _, M, S>(&points, law, self.state, ring.of(pack, P));
@@ -239,6 +239,7 @@ where
         let (pulls, more) = match law.yielding {
             None => cell.pulls(state, released),
             Some(own) => {
+                // Of one pack: those that remember are swept one by one.
                 let own = YieldingControl::load([own; P], registers);
                 let (mut pulls, work) = own.pulls(cell.stiffnesses(), state.components());
                 let [more, again] = state.pulled_by_scale(released);
@@ -289,13 +290,14 @@ fn store<const P: usize, R: Registers<P>>(
 #[cfg(test)]
 mod tests {
     use shell_kinematics::{Isotropic, IsotropicSection, Section, StrainMeasure, StretchCorrected};
-    use sph_core::{Cell, Cloud, Cylinder, EndWeights, jittered_lattice, lattice};
+    use sph_core::{Cloud, Cylinder, EndWeights, jittered_lattice, lattice};
 
     use super::*;
     use crate::dispatch::{Narrow, WideWork, fullest};
     use crate::formulation::{Formulation, Reach};
     use crate::reference::Reference;
     use crate::regions::Scales;
+    use crate::time::march::tests::with_triangles;
 
     /// The copies for this machine, the baseline copy, and the copy for any pair give the same bits: on a lattice, on uneven cells, and where triangles and
     /// quadrangles lie side by side.
@@ -304,17 +306,7 @@ mod tests {
         let patch = Cylinder { radius: 3.0, angles: [-0.5, 0.4], length: 2.5 };
         let even = lattice(&patch, [7, 6], EndWeights::Trapezoid).unwrap();
         let uneven = jittered_lattice(&patch, [9, 7], 0.25, 3).unwrap();
-        let halves = |(number, cell): (usize, &Cell)| {
-            let [a, b, c, d] = cell.corners;
-            if number % 7 == 3 {
-                vec![Cell::triangle([a, b, c]), Cell::triangle([a, c, d])]
-            } else {
-                vec![*cell]
-            }
-        };
-        let cells = even.cells.iter().enumerate().flat_map(halves).collect();
-        let normals = even.frames.iter().map(|frame| frame.n).collect();
-        let cut = Cloud::from_cells(even.positions.clone(), Some(normals), cells).unwrap();
+        let cut = with_triangles(&even, 7);
         for cloud in [even, uneven, cut] {
             agree(&StretchCorrected, cloud.clone());
             agree(&Logarithmic, cloud);

@@ -59,7 +59,7 @@ fn layout(number: usize, dice: &mut RandomNumbers) -> Cloud {
 }
 
 /// Every so many cells one is cut in two.
-fn with_triangles(cloud: &Cloud, every: usize) -> Cloud {
+pub(crate) fn with_triangles(cloud: &Cloud, every: usize) -> Cloud {
     let cut = |(number, cell): (usize, &Cell)| {
         let [a, b, c, d] = cell.corners;
         if number % every == 0 {
